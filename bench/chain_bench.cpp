@@ -26,8 +26,8 @@ using prs::InstructionSet;
 
 constexpr double kForce = 45e3;
 
-/// The sector of the Abevi screw, 20 threads, from equal shares to 1e-12; ConvergedSolve is the
-/// same by the sparse solver.
+/// The sector of the Abevi screw, 20 threads, from equal shares to 1e-12; ConvergedSolve is the same with the sparse
+/// solver.
 void SingleSectorChain(benchmark::State& state) {
   prs::ChainSolver solver(test::abevi().model());
   prs::LoadDistribution result;
@@ -58,7 +58,7 @@ struct Study {
     }
   }
   double mean_iterations() const { return lock_step_iterations(1); }
-  /// Iterations of the batches: those of their slowest design.
+  /// Iterations of the batches, each that of its slowest design.
   double lock_step_iterations(int batch) const {
     double sum = 0.0;
     for (auto first = results.begin(); first != results.end(); first += batch)
@@ -99,9 +99,8 @@ struct Study {
     return c.model();
   }
 
-  /// Log-uniform over 1 to 100 % of the load whose mean thread has a pressure of 2.5 GPa at the
-  /// screw, in a contact of the same constant with equal curvatures: p^3 = 6 N E*^2/(pi^3 R^2),
-  /// k_0 = 4/3 E* R^(1/2).
+  /// Log-uniform force over 1 to 100 % of the load whose mean thread has a pressure of 2.5 GPa at the screw, in a
+  /// contact of the same constant with equal curvatures: p^3 = 6 N E*^2/(pi^3 R^2), k_0 = 4/3 E* R^(1/2).
   static double draw_force(const prs::SectorModel& s, std::mt19937_64& random) {
     const double modulus = 209e9 / (2.0 * (1.0 - 0.09)), pressure = 2.5e9;
     const double root = 0.75 * s.hertz_constant.screw / modulus;  // R^(1/2)
@@ -130,9 +129,9 @@ constexpr double flops_per_station() {
   return factorize + assemble + move + substitute + contacts;
 }
 
-/// Cold start of every design, its set-up included, residual below 1e-10. `kernel flop/s` counts
-/// the iterations' operations over the time that they take more than no iteration, which is the
-/// set-up, the start, the residual of the state and the results.
+/// Cold start of every design, set-up included, residual below 1e-10. `kernel flop/s` counts the iterations' operations
+/// over the additional time of the iterations, which excludes the set-up, the start, the residual of the state and the
+/// results.
 void StudyOfRandomDesigns(benchmark::State& state) {
   const auto set = static_cast<InstructionSet>(state.range(0));
   if (!available(set)) return state.SkipWithError("not on this processor");
@@ -174,7 +173,7 @@ BENCHMARK(StudyOfRandomDesigns)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// A function of as many numbers as the first level of memory holds, at the widest width.
+/// A function of as many numbers as the first-level cache holds, at the widest width.
 void FunctionFloor(benchmark::State& state) {
   constexpr std::size_t kNumbers = 1024;
   std::vector<double> x(kNumbers);

@@ -64,8 +64,8 @@ void ContactPointOnly(benchmark::State& state) {
 }
 BENCHMARK(ContactPointOnly);
 
-/// Everything that a load distribution needs of the geometry of one mechanism: points, curvatures,
-/// ellipticity and Hertz constants of both interfaces, from the drawing. Target: 6 us.
+/// All geometric inputs of the load distribution of one mechanism: points, curvatures, ellipticity and Hertz constants
+/// of both interfaces, from the drawing. Target: 6 us.
 void BothInterfaces(benchmark::State& state) {
   MechanismGeometry m = mechanism(state.range(0) == 0);
   for (auto _ : state) {

@@ -17,7 +17,7 @@
 
 namespace {
 
-/// With a normal deviation of 2 um of each roller's diameter where `random` is given.
+/// Model with a normal deviation of 2 um of each roller's diameter if `random` is given.
 prs::FullModel model_of(double carrier_angle = 0.0, std::mt19937_64* random = nullptr) {
   test::SectorCase c = test::abevi();
   c.mechanism.centre_distance = 14e-3;
@@ -33,7 +33,7 @@ prs::FullModel model_of(double carrier_angle = 0.0, std::mt19937_64* random = nu
   return prs::full_model(c.mechanism, c.structure, c.materials, c.options, c.laws, load, c.deviations);
 }
 
-/// The tangent with the stiffness of equal shares.
+/// Tangent with the stiffness of equal shares.
 struct Tangent {
   prs::FullStructure structure = prs::full_structure(model_of());
   fe::Equations equations{structure.model};
@@ -91,12 +91,12 @@ void full_case(benchmark::State& state, prs::Detail detail) {
 void FullCaseNumbers(benchmark::State& state) { full_case(state, prs::Detail::numbers); }
 BENCHMARK(FullCaseNumbers);
 
-/// With the stiffness of the screw's end.
+/// Case with the stiffness of the screw's end.
 void FullCaseComplete(benchmark::State& state) { full_case(state, prs::Detail::complete); }
 BENCHMARK(FullCaseComplete);
 
-/// Flexibilities that only look like those of bodies: a beam's and, from thread to thread, less and
-/// less. What they cost does not depend on what they are.
+/// Artificial flexibilities similar to those of bodies: a beam's and, from thread to thread, decreasing. Their values
+/// do not affect the time.
 prs::FullBodies made_up_bodies(const prs::FullModel& model) {
   const Eigen::Index threads = model.threads();
   const auto decaying = [&](double compliance) {
@@ -123,7 +123,7 @@ prs::FullBodies made_up_bodies(const prs::FullModel& model) {
   return b;
 }
 
-/// A load on kept matrices of `bodies: influence`.
+/// A load on cached matrices of `bodies: influence`.
 void FullInfluenceLoad(benchmark::State& state) {
   const prs::FullModel model = model_of();
   const prs::FullBodies bodies = made_up_bodies(model);

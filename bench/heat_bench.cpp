@@ -24,7 +24,7 @@ Case one_load(LoadCase::Share share, ModelOptions::Loads loads) {
   return c;
 }
 
-/// A heat balance of equal shares may take ten of them.
+/// Time limit: a heat balance of equal shares may take ten of these.
 void SlipEquilibriumOfTheActuator(benchmark::State& state) {
   const Case c = one_load(LoadCase::Share::equal, ModelOptions::Loads::at_rest);
   const Contacts contacts = checked_contacts(c, Detail::numbers);

@@ -76,7 +76,7 @@ void Solve(benchmark::State& state) {
 }
 BENCHMARK(Solve);
 
-/// Newton from equal shares to 1e-12, assembly included, set-up excluded.
+/// Newton's method from equal shares to 1e-12, assembly included, set-up excluded.
 void converged_solve(benchmark::State& state, const test::SectorCase& c) {
   Loaded l(c);
   fe::NewtonSolver newton(l.equations);
@@ -100,7 +100,7 @@ void ConvergedSolveRefinedHalfPitchApart(benchmark::State& state) {
 }
 BENCHMARK(ConvergedSolveRefinedHalfPitchApart);
 
-/// From the description of the screw: sector, numbering, symbolic analysis, solve, thread loads.
+/// All steps from the description of the screw: sector, numbering, symbolic analysis, solve, thread loads.
 void case_cold(benchmark::State& state, const test::SectorCase& c) {
   for (auto _ : state) {
     prs::SectorSolver solver(c.build());

@@ -12,7 +12,7 @@ ResponseResult run(const char* lesson, const std::vector<std::string>& overrides
   return analyze_response(input::read_case_input(source, Command::response).values, source);
 }
 
-/// Lesson 36 over some seconds of a slow sine: the difference of both is one second, beyond the curves.
+/// Lesson 36 over some seconds of a slow sine: the difference of both benchmarks is one second, without the curves.
 void SmoothServo(benchmark::State& state) {
   const std::vector<std::string> overrides = {
       fmt::format("response.duration={} s", state.range(0)), "response.sample_interval=1 ms",
@@ -21,7 +21,7 @@ void SmoothServo(benchmark::State& state) {
 }
 BENCHMARK(SmoothServo)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 
-/// Lesson 34 with everything: curves, impacts, threads under the largest force.
+/// Lesson 34 complete: curves, impacts, threads under the largest force.
 void ReversalThroughPlay(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(run("34_reversal.yaml", {}));
 }

@@ -1,5 +1,5 @@
-// What commands compute from a case that was read: the engine's part of a call from Python. To be
-// run from the top of the repository, by bench/python_bench.py.
+// Computations of commands on a case that was read: the engine's part of a call from Python. Run it from the top of the
+// repository, by bench/python_bench.py.
 
 #include <benchmark/benchmark.h>
 

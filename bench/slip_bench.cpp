@@ -38,7 +38,7 @@ Result unequal_loads(const Case& c) {
 /// Equilibrium of 20 threads x 2 interfaces x 441 points, patches built from the loads.
 void SlipEquilibriumPerThread(benchmark::State& state) {
   Case c = reference();
-  c.model.roller = ModelOptions::Roller::rigid_bending;  // Its guides, which the reference lacks, carry nothing.
+  c.model.roller = ModelOptions::Roller::rigid_bending;  // Guides, which the reference lacks, then carry nothing.
   const Result result = unequal_loads(c);
   const SlipModels models(c, result.contacts);
   for (auto _ : state) benchmark::DoNotOptimize(find_slip_equilibrium(models.of(result.load_cases[0])));
@@ -70,7 +70,7 @@ void FrictionOfOnePatch(benchmark::State& state) {
 }
 BENCHMARK(FrictionOfOnePatch);
 
-/// As many asinh at the same width and nothing else: what the friction cannot do without.
+/// Equally many asinh at the same width and nothing else: the minimum time of the friction.
 void AsinhOfOnePatch(benchmark::State& state) {
   std::vector<double> x(352);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1e3 * static_cast<double>(i);

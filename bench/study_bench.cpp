@@ -57,7 +57,7 @@ void compute(benchmark::State& state, const prs::input::StudyInput& in) {
 void FullChainComputed(benchmark::State& state) { compute(state, study_of(static_cast<std::size_t>(state.range(0)))); }
 BENCHMARK(FullChainComputed)->Arg(200'000)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
 
-/// Against `FullChainComputed`: what refined bodies cost more than bars.
+/// Compared with `FullChainComputed`: additional time of refined bodies over bars.
 void RefinedChainComputed(benchmark::State& state) {
   compute(state, study_of(static_cast<std::size_t>(state.range(0)), "model: {bodies: refined}\n"));
 }
@@ -73,7 +73,7 @@ prs::input::StudyInput function_of_lesson() {
                                "[axial_stiffness_N_per_um, screw.peak_pressure_MPa.max]}"}));
 }
 
-/// The solve inside `f(x)`: one design by its values, by this thread.
+/// The solve inside `f(x)`: one design by its values, in this thread.
 void FunctionOfOneDesign(benchmark::State& state) {
   const prs::input::StudyInput in = function_of_lesson();
   const prs::DesignEngine engine(in);
@@ -83,7 +83,7 @@ void FunctionOfOneDesign(benchmark::State& state) {
 }
 BENCHMARK(FunctionOfOneDesign)->Unit(benchmark::kMicrosecond);
 
-/// What the study engine takes for the designs of `f(x)` in one call.
+/// Time of the study engine for the designs of `f(x)` in one call.
 void FunctionAsStudy(benchmark::State& state) { compute(state, function_of_lesson()); }
 BENCHMARK(FunctionAsStudy)->Arg(10'000)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
 

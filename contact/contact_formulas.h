@@ -4,8 +4,8 @@
 
 #include "contact/contact_point.h"
 
-/// Contact point, curvatures and directions of a pair of flanks: one set of formulas for numbers
-/// and for batches, one design per lane. What a status has no meaning for is any number.
+/// Contact point, curvatures and directions of a pair of flanks: one set of formulas for numbers and for batches, one
+/// design per lane. Numbers that a status leaves undefined are arbitrary.
 namespace contact {
 
 /// Slope and second derivatives over x, y of one part of the clearance, side f(r) + twist theta.
@@ -31,7 +31,7 @@ Relief<Real> relief(const Flank<Real>& flank, const Real& side, const Real& twis
   const Real r = point.norm();
   const Real c = point.x / r, s = point.y / r;
   const ProfileAt<Real> f = flank.profile(r);
-  // In the polar frame (e_r, e_theta).
+  // Components in the polar frame (e_r, e_theta).
   const Real slope_r = side * f.slope, slope_t = twist / r;
   const Real rr = side * f.slope_rate, rt = -twist / (r * r), tt = slope_r / r;
   return {{c * slope_r - s * slope_t, s * slope_r + c * slope_t},
@@ -60,8 +60,8 @@ struct FlankPair {
   }
 };
 
-/// Newton direction -H^-1 g; where H is not positive definite, a shift of its diagonal that makes
-/// it clearly so turns the step into a descent.
+/// Newton direction -H^-1 g; if H is not positive definite, a shift of its diagonal that makes it clearly so turns the
+/// step into a descent.
 template <class Real>
 Vector2<Real> descent_direction(TensorOf<Real> h, const Vector2<Real>& slope) {
   const Real trace = h.trace();
@@ -84,7 +84,7 @@ struct Descent {
   simd::Lanes<Real> converged{};
 };
 
-/// Newton's method in those lanes that are `wanted`, each with its own convergence.
+/// Newton's method in the `wanted` lanes, each with its own convergence.
 template <class Real>
 Descent<Real> descend(const FlankPair<Real>& pair, const Vector2<Real>& start, const simd::Lanes<Real>& wanted) {
   constexpr int kMaxIterations = 50;
@@ -123,7 +123,7 @@ Descent<Real> descend(const FlankPair<Real>& pair, const Vector2<Real>& start, c
   }
 }
 
-/// The stretch of the line of centres that lies on both flanks [m].
+/// Part of the line of centres on both flanks [m].
 template <class Real>
 RadiiOf<Real> overlap(const Flank<Real>& body, const Flank<Real>& roller, const Real& c) {
   const RadiiOf<Real> on_body = usable_limits(body), on_roller = usable_limits(roller);
@@ -170,7 +170,7 @@ ContactPointOf<Real> contact_point(const FlankPair<Real>& pair) {
   const Real value = roller.profile(p.radius_on_roller).height + body.side * body.profile(p.radius_on_body).height -
                      pair.gamma * (body.reduced_lead * p.angle_on_body - roller.reduced_lead * roller_turn);
   const Real backlash = 2.0 * value - select(external, roller.pitch, Real(0.0));
-  // Its terms come from the radii, whose rounding stands for a play of zero.
+  // Rounding of its terms, from the radii, counts as zero play.
   const Real rounding = 4.0 * std::numeric_limits<double>::epsilon() * (p.radius_on_body + p.radius_on_roller + c);
   p.backlash = select(abs(backlash) <= rounding, Real(0.0), backlash);
 

@@ -22,7 +22,7 @@ void EllipseKernel::operator()(Arch, double semi_major_per_cbrt_load, double sem
   constexpr std::size_t kLanes = simd::kLanes<Real>;
   const std::size_t all = normal_load.size();
   for (std::size_t next = 0; next < all; next += kLanes) {
-    // The last batch is filled with numbers of the one before.
+    // The last batch is filled with numbers of the previous one.
     const std::size_t first = all < kLanes ? 0 : std::min(next, all - kLanes), size = all - first;
     const auto load = simd::side_by_side<Real>(normal_load.data() + first, size);
     const Real cbrt_load =

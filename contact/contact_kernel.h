@@ -6,14 +6,14 @@
 namespace contact {
 
 struct ContactKernel {
-  /// One mechanism a lane.
+  /// One mechanism per lane.
   template <class Arch>
   void operator()(Arch, std::span<const MechanismNumbers<double>> mechanisms,
                   std::span<MechanismContactNumbers<double>> contacts) const;
 };
 
 struct EllipseKernel {
-  /// One load a lane; see `set_ellipses`.
+  /// One load per lane; see `set_ellipses`.
   template <class Arch>
   void operator()(Arch, double semi_major_per_cbrt_load, double semi_minor_per_cbrt_load,
                   std::span<const double> normal_load, const KnownApproach& approach, double* semi_major,

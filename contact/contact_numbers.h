@@ -11,8 +11,7 @@ namespace contact {
 
 struct MechanismGeometry;
 
-/// A mechanism as numbers: its threads, the distance of their axes and the contact moduli E* [Pa],
-/// 0 where there are none.
+/// A mechanism as numbers: its threads, the distance of their axes and the contact moduli E* [Pa], 0 if there are none.
 template <class Real>
 struct MechanismNumbers {
   ThreadNumbers<Real> screw, roller, nut;
@@ -20,7 +19,7 @@ struct MechanismNumbers {
   Real modulus_at_screw, modulus_at_nut;
 };
 
-/// The angle psi between a contact normal and the axis [rad], `ContactPoint::normal_angle`.
+/// Angle psi between a contact normal and the axis [rad], `ContactPoint::normal_angle`.
 template <class Real>
 struct NormalNumbers {
   Real angle{}, cosine{}, sine{};
@@ -49,7 +48,7 @@ ContactNumbers<Real> contact_numbers(const FlankPair<Real>& pair, const Real& mo
 /// Both contacts of a mechanism (I1J2).
 template <class Real>
 struct MechanismContactNumbers {
-  Real sound{};  ///< 1 where all three threads can be, else 0: then the rest has no meaning.
+  Real sound{};  ///< 1 if all three threads are possible, else 0: then the rest is undefined.
   ContactNumbers<Real> screw, nut;
 };
 
@@ -69,16 +68,16 @@ MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
 
 MechanismNumbers<double> numbers_of(const MechanismGeometry& mechanism);
 
-/// Contacts of many mechanisms, as many side by side as a batch has numbers. Those of one mechanism
-/// do not depend on the others.
+/// Contacts of many mechanisms, as many side by side as a batch has numbers. Results of a mechanism do not depend on
+/// the others.
 void find_contacts(std::span<const MechanismNumbers<double>> mechanisms,
                    std::span<MechanismContactNumbers<double>> contacts,
                    simd::InstructionSet set = simd::InstructionSet::best);
 
-/// Approaches delta of contacts whose loads are k_0 delta^1.5, so that N^(1/3) is
-/// k_0^(1/3) sqrt(delta), which takes no cube root a contact.
+/// Approaches delta of contacts whose loads are k_0 delta^1.5, so that N^(1/3) is k_0^(1/3) sqrt(delta), without a cube
+/// root per contact.
 struct KnownApproach {
-  std::span<const double> approach = {};  ///< [m]; empty: not known.
+  std::span<const double> approach = {};  ///< Approaches [m]; empty: not known.
   double cbrt_constant = 0.0;             ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
 };
 

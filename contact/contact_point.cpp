@@ -50,11 +50,11 @@ ContactPoint on_other_faces(const ContactPoint& point) {
 
 namespace {
 
-/// The contact point as one of the two flanks sees it.
+/// Place of the contact point on one of the two flanks.
 struct FlankSpot {
   const ThreadSurface* surface;
   bool of_roller;
-  double radius;             ///< From the axis of its part [m].
+  double radius;             ///< Distance from the axis of its part [m].
   Vector2<double> outwards;  ///< Unit vector.
 };
 
@@ -106,8 +106,8 @@ FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& in
 }
 
 InterfaceGeometry on_other_faces(const InterfaceGeometry& interface) {
-  // A half turn about x, (x, y, z) -> (x, -y, -z), then all tangents reversed, so that the one of
-  // the helix points to growing theta again. Angles about the normal stay.
+  // A half turn about x, (x, y, z) -> (x, -y, -z), then all tangents reversed, so that the tangent of the helix points
+  // to growing theta again. Angles about the normal stay.
   const auto turned = [](const Vector3<double>& tangent) { return Vector3<double>{-tangent.x, tangent.y, tangent.z}; };
   InterfaceGeometry other = interface;
   other.point = on_other_faces(interface.point);

@@ -7,14 +7,14 @@
 
 namespace contact {
 
-/// How the search for a contact point ended.
+/// Outcome of the search for a contact point.
 enum class ContactPointStatus : std::int64_t {
   ok,
   not_computed,
   straight_on_straight,  ///< Neither profile is curved: no point contact.
   out_of_reach,          ///< The axes are so far apart or so close that the flanks never overlap.
   outside_flank,         ///< The point lies beyond the end of a flank.
-  not_a_minimum,         ///< The clearance has only a saddle there: the surfaces cut each other.
+  not_a_minimum,         ///< The clearance has only a saddle there: the surfaces intersect.
   not_converged,         ///< The clearance has no minimum on the flanks that the descent could find.
 };
 
@@ -51,16 +51,15 @@ constexpr std::string_view name(FlankEnd end) { return end == FlankEnd::root ? "
 
 /// A contact point or ellipse that reaches beyond the end of a flank.
 struct FlankViolation {
-  bool of_roller = false;  ///< True: the roller's flank; false: the body's.
+  bool of_roller = false;  ///< Whether it is the roller's flank, else the body's.
   FlankEnd end = FlankEnd::root;
   double by = 0.0;  ///< Radial distance beyond that end [m], > 0.
 };
 
-/// At most both ends of both flanks; a range.
+/// Violations at both ends of both flanks at most; a range.
 class FlankViolations {
  public:
-  /// Records a contact that reaches from `innermost` to `outermost` radius [m] beyond the flank's
-  /// ends.
+  /// Records a contact from `innermost` to `outermost` radius [m] that reaches beyond the flank's ends.
   void add(const ThreadSurface& surface, bool of_roller, double innermost, double outermost);
 
   const FlankViolation* begin() const { return list_.data(); }
@@ -73,14 +72,14 @@ class FlankViolations {
   std::size_t size_ = 0;
 };
 
-/// The point at which two thread flanks touch, and how its search ended.
+/// Point at which two thread flanks touch, and the outcome of its search.
 template <class Real>
 struct ContactPointOf {
   simd::EnumOf<ContactPointStatus, Real> status = ContactPointStatus::not_computed;
   Real iterations{};  ///< Newton steps.
   Real residual{};    ///< Largest difference of the two surfaces' slopes at the point [-].
 
-  Vector2<Real> position{};  ///< x, y from the body's axis [m].
+  Vector2<Real> position{};  ///< x, y measured from the body's axis [m].
   Real radius_on_body{};     ///< [m]
   Real radius_on_roller{};   ///< [m]
   /// Angles of the point about the two axes from x [rad]. The roller's angle at the
@@ -95,7 +94,7 @@ struct ContactPointOf {
   Real backlash{};
 
   simd::Lanes<Real> ok() const { return status == ContactPointStatus::ok; }
-  /// psi, between normal and axis, arccos|n_z| [rad].
+  /// psi, angle between normal and axis, arccos|n_z| [rad].
   Real normal_angle() const { return atan2(Vector2<Real>{normal.x, normal.y}.norm(), Real(abs(normal.z))); }
 };
 using ContactPoint = ContactPointOf<double>;
@@ -104,21 +103,20 @@ using ContactPoint = ContactPointOf<double>;
 ///
 ///     C(x, y) = f_R(r_R) + s f_B(r_B) - gamma (l_B theta_B - l_R theta_R)/(2 pi) + const,
 ///
-/// s = +1 at a screw and -1 inside a nut, gamma = -1 on the roller's top face and +1 on its
-/// bottom face. There the normals are opposite, as (A.4) asks, and the point is the same by
-/// construction (A.1), so (A.9) and (A.10) hold as well; but the Jacobian is now the clearance
-/// Hessian, symmetric, regular also where the helix angles match (there the Jacobian of
-/// (A.9), (A.10) is singular, since the angles enter by their cosines), and positive definite at a
+/// s = +1 at a screw and -1 inside a nut, gamma = -1 on the roller's top face and +1 on its bottom face. There the
+/// normals are opposite, as (A.4) requires, and the point is the same by construction (A.1), so (A.9) and (A.10) hold
+/// as well; but the Jacobian is now the clearance Hessian, symmetric, regular also where the helix angles match (there
+/// the Jacobian of (A.9), (A.10) is singular, since the angles enter by their cosines), and positive definite at a
 /// contact, so that a descent never ends on one of the spurious roots that squaring (A.9) adds.
 ///
-/// Newton from the pitch radii, to a slope difference of a few roundings; takes 3 to 5 steps, each
-/// halved while it leaves the profiles or overshoots. Accepts a point only inside both flanks and
-/// where the Hessian is positive definite; else `status` says why and the numbers are those of the
-/// last point. Profiles of which one is strongly concave can have several minima; the one next to
-/// the pitch radii is found. No allocation, raises nothing.
+/// Newton's method from the pitch radii, to a slope difference of a few roundings; takes 3 to 5 steps, each halved
+/// while it leaves the profiles or overshoots. Accepts a point only inside both flanks and with a positive definite
+/// Hessian; else `status` gives the reason and the numbers are those of the last point. Profiles of which one is
+/// strongly concave can have several minima; the one next to the pitch radii is found. Allocates nothing, throws
+/// nothing.
 ContactPoint find_contact_point(const ThreadPair& pair, RollerFace face);
 
-/// How far a contact point lies beyond the ends of the flanks.
+/// Distances of a contact point beyond the ends of the flanks.
 FlankViolations point_beyond_flanks(const ThreadPair& pair, const ContactPoint& point);
 
 /// Contact point of the same pair on the other two faces. A half turn about x maps a thread onto
@@ -126,8 +124,8 @@ FlankViolations point_beyond_flanks(const ThreadPair& pair, const ContactPoint& 
 /// (Sandu 2018, appendix A).
 ContactPoint on_other_faces(const ContactPoint& point);
 
-/// Contact point of a roller with one body and the curvatures there: all that a Hertz contact and
-/// the slip in it need to know of the geometry. Directions are unit vectors in the pair's frame.
+/// Contact point of a roller with one body and the curvatures there: all geometric inputs of a Hertz contact and the
+/// slip in it. Directions are unit vectors in the pair's frame.
 template <class Real>
 struct InterfaceGeometryOf {
   ContactPointOf<Real> point{};
@@ -140,7 +138,7 @@ struct InterfaceGeometryOf {
   /// first direction is the major axis of the contact ellipse.
   PrincipalOf<Real> relative{};
 
-  Vector3<Real> helix_tangent{};  ///< Roller's; growing theta.
+  Vector3<Real> helix_tangent{};  ///< Tangent of the roller's helix; growing theta.
   Vector3<Real> major_axis{};     ///< t_1
   Vector3<Real> minor_axis{};     ///< t_2 = n x t_1 (1.60)
 
@@ -151,7 +149,7 @@ struct InterfaceGeometryOf {
   Real openness() const { return relative.first / abs(roller.second); }
   /// Acute angle between the first directions of body and roller [rad] (1.61).
   Real first_directions_angle() const { return std::abs(std::remainder(body.angle - roller.angle, std::numbers::pi)); }
-  /// The tangent direction that lies `angle` from the roller's helix tangent.
+  /// Tangent direction at `angle` from the roller's helix tangent.
   Vector3<Real> direction(const Real& angle) const {
     const auto [sine, cosine] = sincos(angle);
     return cosine * helix_tangent + sine * point.normal.cross(helix_tangent);
@@ -159,15 +157,14 @@ struct InterfaceGeometryOf {
 };
 using InterfaceGeometry = InterfaceGeometryOf<double>;
 
-/// Solves for the contact point on one face of the roller and works out the curvatures there. The
-/// ellipse is oriented by the *signed* sum of the curvature tensors; Sandu 2018, (1.65) and table
-/// 1.4, and Yao 2023, (35), take absolute values or differences of them, which is wrong where one
-/// surface is concave, as a nut always is. Where no admissible point exists, `point.status` says
-/// why and everything but `point` is zero.
+/// Solves for the contact point on one face of the roller and computes the curvatures there. The ellipse is oriented by
+/// the *signed* sum of the curvature tensors; Sandu 2018, (1.65) and table 1.4, and Yao 2023, (35), take absolute
+/// values or differences of them, which is wrong if one surface is concave, as a nut always is. If no admissible point
+/// exists, `point.status` gives the reason and all but `point` is zero.
 InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face);
 
-/// How far a contact ellipse with those semi-axes [m] reaches beyond the ends of the two flanks,
-/// measured radially in the tangent plane.
+/// Radial distances, in the tangent plane, by which a contact ellipse with these semi-axes [m] exceeds the ends of the
+/// two flanks.
 FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface, double semi_major,
                                       double semi_minor);
 
@@ -176,19 +173,19 @@ InterfaceGeometry on_other_faces(const InterfaceGeometry& interface);
 
 /// The end of a flank that a contact ellipse reaches first as it grows about its centre.
 struct FlankEdge {
-  bool of_roller = false;  ///< Else of the body.
+  bool of_roller = false;  ///< Whether it is on the roller's flank, else on the body's.
   FlankEnd end = FlankEnd::root;
   double scale = 0.0;  ///< Factor on both semi-axes to reach the edge [-].
 };
 
-/// The end that an ellipse of those semi-axes [m], both > 0, meets first as it grows: the smallest ratio of the
-/// radial distance from the contact point to a root or crest over the ellipse's radial reach
+/// The end that an ellipse of those semi-axes [m], both > 0, meets first as it grows: the smallest ratio of the radial
+/// distance from the contact point to a root or crest over the ellipse's radial reach
 ///
 ///     sqrt((a t_1 e_r)^2 + (b t_2 e_r)^2)
 ///
-/// e_r outwards from the axis of the flank's part, the reach by which `ellipse_beyond_flanks`
-/// measures. Flanks end at the heights of their threads where these are given, else where they
-/// meet their neighbours. As a and b grow with N^(1/3), the load at the edge is scale^3 N.
+/// e_r outwards from the axis of the flank's part, the reach by which `ellipse_beyond_flanks` measures. Flanks end at
+/// the heights of their threads if these are given, else where they meet their neighbours. As a and b grow with
+/// N^(1/3), the load at the edge is scale^3 N.
 FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface, double semi_major,
                              double semi_minor);
 

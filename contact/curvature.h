@@ -35,13 +35,13 @@ TensorOf<Real> operator*(const std::type_identity_t<Real>& factor, const TensorO
   return {factor * t.xx, factor * t.xy, factor * t.yy};
 }
 
-/// The same tensor when the second axis is reversed: the tangent plane seen from its other side.
+/// The tensor with the second axis reversed: the tangent plane seen from its other side.
 template <class Real>
 TensorOf<Real> mirrored(const TensorOf<Real>& t) {
   return {t.xx, -t.xy, t.yy};
 }
 
-/// The same tensor in axes turned by `angle` [rad] from the old ones, first towards second axis.
+/// The tensor in axes turned by `angle` [rad], first towards second axis.
 template <class Real>
 TensorOf<Real> in_turned_axes(const TensorOf<Real>& t, const std::type_identity_t<Real>& angle) {
   const Real mean = 0.5 * (t.xx + t.yy);
@@ -51,8 +51,8 @@ TensorOf<Real> in_turned_axes(const TensorOf<Real>& t, const std::type_identity_
   return {mean + d, t.xy * cosine - difference * sine, mean - d};
 }
 
-/// Eigenvalues of a symmetric tensor and the direction of the first, as an angle from the first
-/// axis [rad] in (-pi/2, pi/2]; the second direction stands a quarter turn further.
+/// Eigenvalues of a symmetric tensor and the direction of the first, as an angle from the first axis [rad] in (-pi/2,
+/// pi/2]; the second direction is a quarter turn further.
 template <class Real>
 struct PrincipalOf {
   Real first{};
@@ -61,15 +61,15 @@ struct PrincipalOf {
 };
 using PrincipalValues = PrincipalOf<double>;
 
-/// first <= second. Closed form; a small eigenvalue next to a large one keeps its digits (product
-/// of the eigenvalues = determinant). An isotropic tensor has angle 0.
+/// Eigenvalues with first <= second. Closed form; a small eigenvalue next to a large one keeps its digits (product of
+/// the eigenvalues = determinant). An isotropic tensor has angle 0.
 template <class Real>
 PrincipalOf<Real> principal_ascending(const TensorOf<Real>& t) {
   const Real mean = 0.5 * t.trace();
   const Real difference = 0.5 * (t.xx - t.yy);
   const Real radius = hypot(difference, t.xy);
   const auto isotropic = radius == 0.0;
-  const Real larger = mean + copysign(radius, mean);  // in absolute value
+  const Real larger = mean + copysign(radius, mean);  // the larger in absolute value
   const Real smaller = select(isotropic, mean, t.determinant() / larger);
   const Real turned = 0.5 * atan2(t.xy, difference) + 0.5 * std::numbers::pi;
   const Real angle = select(turned > 0.5 * std::numbers::pi, turned - std::numbers::pi, turned);
@@ -77,7 +77,7 @@ PrincipalOf<Real> principal_ascending(const TensorOf<Real>& t) {
   return {select(ascending, smaller, larger), select(ascending, larger, smaller), select(isotropic, Real(0.0), angle)};
 }
 
-/// |first| <= |second|, the papers' order for one body (Sandu 2018, (B.8)).
+/// Eigenvalues with |first| <= |second|, the papers' order for one body (Sandu 2018, (B.8)).
 template <class Real>
 PrincipalOf<Real> principal_by_magnitude(const TensorOf<Real>& t) {
   const PrincipalOf<Real> p = principal_ascending(t);

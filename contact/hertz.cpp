@@ -85,8 +85,8 @@ namespace {
 template <class Stress>
 std::pair<double, double> largest_on_axis(double ellipticity, double poisson_ratio, Stress stress) {
   const auto at = [&](double depth) { return stress(stress_on_axis(1.0 / ellipticity, 1.0, depth, poisson_ratio)); };
-  // The curve is smooth but for a kink where the largest stress changes direction, and may have a
-  // second maximum near the surface: look everywhere, then refine the best place.
+  // The curve is smooth except for a kink where the largest stress changes direction, and may have a second maximum
+  // near the surface: samples everywhere, then a refinement of the best place.
   constexpr int kSamples = 12;
   constexpr double kSpacing = 1.2 / kSamples;  // of z/b
   std::pair<double, double> best{at(0.0), 0.0};

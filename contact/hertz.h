@@ -23,7 +23,7 @@ double compliance(const Elasticity& body);
 /// Yao 2023's E' (46) is E*; Sandu 2018's E' (1.78) is 2 E*.
 double contact_modulus(const Elasticity& body_1, const Elasticity& body_2);
 
-/// Whether a Hertz contact could be computed, and if not, why.
+/// Whether a Hertz contact could be computed, or the reason why not.
 enum class HertzStatus : std::int64_t {
   ok,
   not_computed,
@@ -110,7 +110,7 @@ struct AxisStress {
 /// depth and axes may be in any one unit.
 AxisStress stress_on_axis(double semi_major, double semi_minor, double depth, double poisson_ratio);
 
-/// The largest shear stress on that normal and where it acts.
+/// Largest shear stress on that normal and its depth.
 struct SubsurfaceShear {
   double shear_over_pressure = 0.0;    ///< tau_max/p_0 [-]
   double depth_over_semi_minor = 0.0;  ///< z/b [-]
@@ -122,14 +122,14 @@ struct SubsurfaceShear {
 /// ellipses have it near the surface.
 SubsurfaceShear largest_subsurface_shear(double ellipticity, double poisson_ratio);
 
-/// The largest von Mises stress on that normal and where it acts.
+/// Largest von Mises stress on that normal and its depth.
 struct SubsurfaceVonMises {
   double stress_over_pressure = 0.0;   ///< sigma_v/p_0 [-]
   double depth_over_semi_minor = 0.0;  ///< z/b [-]
 };
 
-/// Largest von Mises stress on the same normal. For nu = 0.3: 0.620 p_0 at 0.48 b in a circular contact,
-/// 0.558 p_0 at 0.70 b in a line contact (Johnson 1985, sections 3.4 and 4.2).
+/// Largest von Mises stress on that normal. For nu = 0.3: 0.620 p_0 at 0.48 b in a circular contact, 0.558 p_0 at 0.70
+/// b in a line contact (Johnson 1985, sections 3.4 and 4.2).
 SubsurfaceVonMises largest_subsurface_von_mises(double ellipticity, double poisson_ratio);
 
 }  // namespace contact

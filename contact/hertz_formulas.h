@@ -41,7 +41,7 @@ EllipticIntegralsOf<Real> complete_elliptic_integrals(const Real& axis_ratio) {
   Real term = 0.25 / ((1.0 + k) * (1.0 + k));  // 2^(n-1) c_n^2/m^2
   Real sum = term;                             // (E/K of the circle's limit - E/K)/m^2, see D
   const auto apart = [&] { return c2 > std::numeric_limits<double>::epsilon() * a * a; };
-  // What has converged stays as it is, whatever its neighbours in a batch do.
+  // Converged lanes stay unchanged, whatever their neighbours in a batch do.
   for (auto active = apart(); any(active); active = active && apart()) {
     const auto next = [&](Real& x, const Real& value) { x = select(active, value, x); };
     const Real mean = 0.5 * (a + g);
@@ -139,7 +139,7 @@ struct EllipseNumbers {
   Real semi_major{}, semi_minor{}, peak_pressure{};
 };
 
-/// Semi-axes and pressure under a load, of which the cube root is known; zero where it is open.
+/// Semi-axes and pressure under a load with known cube root; zero if the contact is open.
 template <class Real>
 EllipseNumbers<Real> ellipse_numbers(const Real& semi_major_per_cbrt_load, const Real& semi_minor_per_cbrt_load,
                                      const Real& normal_load, const Real& cbrt_load) {

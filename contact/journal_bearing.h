@@ -17,12 +17,12 @@ struct JournalBearingOf {
 };
 using JournalBearing = JournalBearingOf<double>;
 
-/// What one journal bearing does under a load.
+/// Result for one journal bearing under a load.
 template <class Number>
 struct JournalBearingStateOf {
-  /// e/c, 0 without load; a heavier load than any film carries rounds to 1, as does any at rest.
+  /// e/c, 0 without load; a load too heavy for any film rounds to 1, as does any load at rest.
   Number eccentricity_ratio{};
-  Number torque{};  ///< On the journal, resisting, >= 0 [N m]
+  Number torque{};  ///< Resisting torque on the journal, >= 0 [N m].
 };
 using JournalBearingState = JournalBearingStateOf<double>;
 
@@ -37,9 +37,9 @@ Number eccentricity_parameter(const Number& load_number) {
   using simd::any, simd::min, simd::select, simd::sqrt, simd::value;
   constexpr double pi = std::numbers::pi;
   const Real load = value(load_number);
-  // The load number exceeds both pi s and 4 s^4, so that each gives an upper bound of s. It is
-  // convex: Newton's method comes down from there until rounding ends it.
-  const auto heavy = load >= Real(1e-8);  // Lighter, s is load/pi to s^2 against 1.
+  // The load number exceeds both pi s and 4 s^4, so that each gives an upper bound of s. It is convex: Newton's method
+  // descends from there until rounding ends it.
+  const auto heavy = load >= Real(1e-8);  // For a lighter load s is load/pi, to s^2 relative to 1.
   Real s = min(Real(load / pi), Real(sqrt(Real(sqrt(Real(load / 4.0))))));
   Real number = load, growth = Real(1.0);
   auto active = heavy;

@@ -7,8 +7,7 @@ namespace {
 /// d backlash/d centre distance at fixed point: only the roller's flank moves.
 double backlash_rate_over_centre_distance(const ContactPoint& p) { return -2.0 * p.normal.x / std::abs(p.normal.z); }
 
-/// d backlash/d pitch radius of the body, its flank moving outwards and, in the normal plane, its
-/// helix angle changing.
+/// d backlash/d pitch radius of the body: its flank moves outwards and, in the normal plane, its helix angle changes.
 double backlash_rate_over_pitch_radius(const ThreadSurface& body, const ContactPoint& p) {
   const ProfilePoint f = body.profile(p.radius_on_body);
   double rate = -f.slope;
@@ -19,7 +18,7 @@ double backlash_rate_over_pitch_radius(const ThreadSurface& body, const ContactP
   return 2.0 * body.side * rate;
 }
 
-/// The length that is varied until a pair has its backlash.
+/// Length that is varied until a pair has its backlash.
 enum class Unknown { centre_distance, pitch_radius_of_body };
 
 struct BacklashSearch {
@@ -33,7 +32,7 @@ BacklashSearch solve_for_backlash(MechanismGeometry& m, Thread MechanismGeometry
                                   double wanted) {
   constexpr int kMaxIterations = 30;
   constexpr double kTolerance = 1e-14;  // [m]
-  constexpr double kStationary = 1e-6;  // A point off the flank, but good enough to step from [-].
+  constexpr double kStationary = 1e-6;  // Slope at a point off the flank that is good enough to step from [-].
 
   Thread& body = m.*body_of;
   double& unknown = what == Unknown::centre_distance ? m.centre_distance : body.pitch_radius;
@@ -89,7 +88,7 @@ int largest_roller_count(const MechanismGeometry& m) {
 int largest_roller_count(double crest_radius, double centre_distance) {
   const double ratio = crest_radius / centre_distance;
   if (!(ratio < 1.0)) return 1;
-  // A hair of tolerance, so that rollers that just touch count.
+  // Small tolerance, so that rollers that just touch count.
   return static_cast<int>(std::floor(std::numbers::pi / std::asin(ratio) * (1.0 + 1e-12)));
 }
 
@@ -126,7 +125,7 @@ DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts
   m.nut.pitch_radius = radii.nut;
   m.centre_distance = radii.screw + radii.roller;
 
-  // The matched part fixes the centre distance, then the other one is rectified.
+  // The matched part determines the centre distance, then the other one is rectified.
   struct Step {
     Thread MechanismGeometry::*body;
     Unknown what;

@@ -39,10 +39,9 @@ MechanismContact mechanism_contact(const MechanismGeometry& mechanism, Configura
 /// opposite one in an inverted mechanism (Sandu 2018, (1.50)).
 double roller_lead(MechanismType type, double screw_lead, double roller_pitch, int roller_starts);
 
-/// Pitch radii that match helix angles, for a screw's pitch radius [m]: roller and nut in a
-/// standard mechanism (1.52), roller and screw in an inverted one (1.53); the third follows from
-/// r_N = r_S + 2 r_R. A standard mechanism needs more than two screw starts a roller start;
-/// otherwise the roller's radius comes out negative or infinite.
+/// Pitch radii that match helix angles, for a screw's pitch radius [m]: roller and nut in a standard mechanism (1.52),
+/// roller and screw in an inverted one (1.53); the third follows from r_N = r_S + 2 r_R. A standard mechanism needs
+/// more than two screw starts per roller start; otherwise the roller's radius becomes negative or infinite.
 struct PitchRadii {
   double screw = 0.0;
   double roller = 0.0;
@@ -50,17 +49,17 @@ struct PitchRadii {
 };
 PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts, int roller_starts);
 
-/// How far a mechanism is from rolling without sliding of its pitch cylinders and without migration of
-/// its rollers (Sandu 2018, section 2.2.2).
+/// Deviations of a mechanism from rolling without sliding of its pitch cylinders and without migration of its rollers
+/// (Sandu 2018, section 2.2.2).
 struct KinematicConsistency {
   double lead_difference = 0.0;      ///< l_N - l_S [m]
   double gear_ratio = 0.0;           ///< Gamma by the pitch radii: r_R/r_N or r_R/r_S (2.1).
-  double gear_ratio_by_leads = 0.0;  ///< |l_R/l_S|; (2.14) asks for equality.
+  double gear_ratio_by_leads = 0.0;  ///< |l_R/l_S|; (2.14) requires equality.
 };
 KinematicConsistency kinematic_consistency(const MechanismGeometry& mechanism);
 
-/// Largest number of rollers that fit without touching each other at the crests (Sandu 2018,
-/// (1.47)); 1 where even two would not.
+/// Largest number of rollers that fit without touching each other at the crests (Sandu 2018, (1.47)); 1 if not even two
+/// would.
 int largest_roller_count(const MechanismGeometry& mechanism);
 /// Number of rollers with this crest radius [m] that fit at equal spacing without touching.
 int largest_roller_count(double crest_radius, double centre_distance);
@@ -74,7 +73,7 @@ struct AxialPositions {
 AxialPositions axial_positions(const MechanismGeometry& mechanism, const MechanismContact& contact,
                                Configuration configuration);
 
-/// Axial play to be designed for [m], negative for preload.
+/// Required axial play [m], negative for preload.
 struct Backlash {
   double screw = 0.0;  ///< D_zS
   double nut = 0.0;    ///< D_zN
@@ -83,21 +82,21 @@ struct Backlash {
 enum class DesignStatus {
   ok,
   not_solved,
-  pitches_differ,        ///< Backlash has no meaning then.
+  pitches_differ,        ///< Backlash is undefined then.
   too_few_screw_starts,  ///< Standard: (1.52) needs n_S > 2 n_R.
-  no_screw_contact,      ///< No admissible contact point there; `contact.screw.point` says why.
+  no_screw_contact,      ///< No admissible contact point there; `contact.screw.point` gives the reason.
   no_nut_contact,        ///< No admissible contact point at the nut.
   not_converged,
 };
 
 std::string_view name(DesignStatus status);
 
-/// A mechanism designed for its backlash, and why the design ended. Starts as failed.
+/// A mechanism designed for its backlash, and the outcome of the design, initially a failure.
 struct DesignResult {
   DesignStatus status = DesignStatus::not_solved;
   MechanismGeometry mechanism;
-  MechanismContact contact;  ///< I1J2; after a failure the points that were reached.
-  int iterations = 0;        ///< Contact points solved for.
+  MechanismContact contact;  ///< Contact of I1J2; after a failure the last points.
+  int iterations = 0;        ///< Number of contact points solved for.
 
   bool ok() const { return status == DesignStatus::ok; }
 };

@@ -6,7 +6,7 @@
 /// lane, and for either with its slope along one variable, the slip ratio.
 namespace contact {
 
-/// How one body slides on the other in the tangent plane of a contact (Sandu 2018, (2.22)).
+/// Sliding of one body on the other in the tangent plane of a contact (Sandu 2018, (2.22)).
 template <class Number>
 struct PatchMotionOf {
   Number sliding_major{};  ///< v_M . t_1 at the centre [m/s]
@@ -26,14 +26,14 @@ struct PatchFrictionOf {
   Number spin_arm{};              ///< C/N, moment about the centre along t_1 x t_2 [m] (3.10)
   Real power_per_load{};          ///< Lost power over N [m/s] (3.51)
   Real mean_friction{};           ///< mu_a over the points inside (2.40)
-  Real max_sliding_speed{};       ///< Over the points [m/s]
+  Real max_sliding_speed{};       ///< Largest value over the points [m/s].
   Real sliding_under_pressure{};  ///< Integral of pressure times sliding speed over N [m/s]
 };
 
 /// Sliding velocity at (x, y): (major - spin_minor y, minor + spin_major x) [m/s].
 template <class Number>
 struct SlidingFieldOf {
-  Number major{}, minor{};            ///< At the centre.
+  Number major{}, minor{};            ///< Velocity at the centre.
   Number spin_major{}, spin_minor{};  ///< Spin times semi-axis.
 };
 

@@ -10,7 +10,7 @@ namespace contact {
 
 using simd::select, simd::any, simd::sqrt, simd::abs, simd::max, simd::min, simd::hypot, simd::isnan, simd::sincos;
 
-/// The plane in which flank angle and profile radius are measured.
+/// Plane in which flank angle and profile radius are measured.
 enum class ProfilePlane : std::int64_t {
   normal,  ///< Perpendicular to the helix at the pitch radius (Sandu 2018, section 1.2).
   axial,   ///< Through the axis (Yao 2023, (2)-(4)).
@@ -20,8 +20,8 @@ enum class ProfilePlane : std::int64_t {
 template <class Real>
 struct ThreadNumbers {
   Real pitch_radius, lead, pitch, flank_angle, profile_curvature;
-  Real thickness;                   ///< Axial, at the pitch radius [m].
-  Real inner_height, outer_height;  ///< Towards the axis and away from it; NaN: until flanks meet.
+  Real thickness;                   ///< Axial thickness at the pitch radius [m].
+  Real inner_height, outer_height;  ///< Heights towards the axis and away from it; NaN: until flanks meet.
   simd::EnumOf<ProfilePlane, Real> plane;
 };
 
@@ -47,7 +47,7 @@ struct RadiiOf {
 ///
 /// gamma = +1 on the bottom face (outward normal against z) and -1 on the top face. A nut is
 /// described by the air inside it: same formula, profile curvature of opposite sign (Sandu 2018,
-/// section 1.2.4); `side` tells its material from its air. Straight, convex and concave profiles
+/// section 1.2.4); `side` distinguishes its material from its air. Straight, convex and concave profiles
 /// in both planes are one formula: the local flank angle phi obeys
 ///
 ///     sin(phi) = sin(alpha) + (r - r_T)/r_B,   stretch = 1/cos(beta) (normal plane) or 1 (axial),
@@ -67,7 +67,7 @@ struct Flank {
   Real arc_curvature = Real(0.0);    ///< 1/r_B of the described volume [1/m]
   Real half_groove = Real(0.0);      ///< f(r_T) [m], p/4 unless the thickness is given.
   Real smallest_radius = Real(0.0);  ///< End of the flank on the side of the axis [m].
-  Real largest_radius = Real(0.0);   ///< Its other end [m].
+  Real largest_radius = Real(0.0);   ///< End of the flank away from the axis [m].
 
   /// sin(phi) of the local flank angle; the profile exists where it is between 0 and 1.
   Real sin_local_flank(const Real& radius) const { return sin_flank + (radius - pitch_radius) * arc_curvature; }
@@ -87,8 +87,8 @@ struct Flank {
   }
 };
 
-/// Radius at which the profile has risen by `rise` [m, profile plane] above its pitch radius; where
-/// the arc has turned parallel to the radius or the axis before, that radius.
+/// Radius at which the profile has risen by `rise` [m, profile plane] above its pitch radius; if the arc becomes
+/// parallel to the radius or the axis before that, the radius there.
 template <class Real>
 Real radius_at_rise(const Flank<Real>& f, const Real& rise) {
   const Real cosine = min(max(f.cos_flank - rise * f.arc_curvature, Real(0.0)), Real(1.0));
@@ -97,9 +97,9 @@ Real radius_at_rise(const Flank<Real>& f, const Real& rise) {
                                  rise * (f.cos_flank + cosine) / (f.sin_flank + sine));
 }
 
-/// Radii where neighbouring flanks of a thread meet: at the root f = 0 and at the crest f = p/2, of
-/// the air for a nut (Sandu 2018, (1.12), (1.17), (1.19), for any r_B). An arc that turns parallel
-/// to the radius or the axis before that ends there.
+/// Radii where neighbouring flanks of a thread meet: at the root f = 0 and at the crest f = p/2, of the air for a nut
+/// (Sandu 2018, (1.12), (1.17), (1.19), for any r_B). An arc that becomes parallel to the radius or the axis before
+/// that ends there.
 template <class Real>
 RadiiOf<Real> sharp_limits(const Flank<Real>& f) {
   return {radius_at_rise(f, Real(-f.half_groove / f.stretch)),
@@ -127,7 +127,7 @@ Flank<Real> flank_of(const ThreadNumbers<Real>& t, bool internal) {
   return f;
 }
 
-/// The part of a flank on which its arc exists, where the heights are given beyond it [m].
+/// The part of a flank on which its arc exists, if the heights are given beyond it [m].
 template <class Real>
 RadiiOf<Real> usable_limits(const Flank<Real>& f) {
   const auto straight = f.arc_curvature == 0.0;
@@ -137,9 +137,9 @@ RadiiOf<Real> usable_limits(const Flank<Real>& f) {
           select(straight, f.largest_radius, min(f.largest_radius, max(parallel_to_axis, radial)))};
 }
 
-/// Curvature tensor of the *material* [1/m] on the flank at a radius where the profile exists, in
-/// the frame (helix tangent t of growing theta, n x t), n the outward normal of the described
-/// volume (for a nut: of its air). The same on top and bottom face (Sandu 2018, (B.5), (B.10)).
+/// Curvature tensor of the *material* [1/m] on the flank at a radius where the profile exists, in the frame (helix
+/// tangent t of growing theta, n x t), n the outward normal of the described volume (for a nut: of its air). Equal on
+/// top and bottom face (Sandu 2018, (B.5), (B.10)).
 template <class Real>
 TensorOf<Real> curvature_tensor(const Flank<Real>& flank, const Real& radius) {
   // (B.10) with u = theta, v = r on the bottom face, and with the sign of (B.5).
@@ -159,7 +159,7 @@ TensorOf<Real> curvature_tensor(const Flank<Real>& flank, const Real& radius) {
 
 /// Thread of one part as on its drawing. It describes the *material*, for a nut too.
 struct Thread {
-  bool internal = false;           ///< A nut.
+  bool internal = false;           ///< Whether it belongs to a nut.
   double pitch_radius = 0.0;       ///< r_T, thread as wide as gap [m], > 0.
   double lead = 0.0;               ///< l, axial travel of one turn [m]; > 0 right-handed, 0 grooves.
   double pitch = 0.0;              ///< p, axial distance of neighbouring threads [m], > 0.
@@ -174,7 +174,7 @@ struct Thread {
   std::optional<double> thickness = std::nullopt;
 };
 
-/// Pitches and leads that differ by a smaller share count as equal (rounding).
+/// Largest relative difference of pitches and leads that count as equal (rounding).
 inline constexpr double kSamePitch = 1e-9;
 bool same_pitch(double a, double b);
 /// Whether two threads stay together along the axis: only then do they have a backlash.
@@ -192,7 +192,7 @@ struct ThreadSurface : Flank<double> {
   double helix_angle() const;  ///< beta = atan(l/(2 pi r_T)) [rad], sign of the lead (1.3).
 };
 
-/// A thread without what only a person reads.
+/// A thread without the data that only a person reads.
 ThreadNumbers<double> numbers_of(const Thread& thread);
 
 using RadiusLimits = RadiiOf<double>;
@@ -200,7 +200,7 @@ using RadiusLimits = RadiiOf<double>;
 /// Radii where neighbouring flanks of a thread meet.
 RadiusLimits sharp_limits(const Thread& thread);
 
-/// The limits in force: the truncated thread where its heights are given, else the sharp one.
+/// Effective limits: the truncated thread if its heights are given, else the sharp one.
 RadiusLimits flank_limits(const Thread& thread);
 
 enum class ThreadStatus : std::int64_t {
@@ -216,16 +216,16 @@ enum class ThreadStatus : std::int64_t {
 
 std::string_view name(ThreadStatus status);
 
-/// The first thing that is wrong with a drawn thread. `beyond_sharp_limit` is worth a warning only;
-/// with the others the formulas have no meaning.
+/// First error of a drawn thread. `beyond_sharp_limit` is worth a warning only; with the others the formulas are
+/// undefined.
 ThreadStatus check(const Thread& thread);
 
-/// The same of a flank that is that of the thread.
+/// Check of a flank that belongs to the thread.
 template <class Real>
 simd::EnumOf<ThreadStatus, Real> status_of(const ThreadNumbers<Real>& t, const Flank<Real>& flank) {
   using Status = simd::EnumOf<ThreadStatus, Real>;
   using enum ThreadStatus;
-  const auto nothing = [](const Real& x) { return x - x; };  // NaN of what is not finite
+  const auto nothing = [](const Real& x) { return x - x; };  // NaN for values that are not finite
   const auto of_height = [&](const Real& h) { return select(isnan(h), Real(0.0), nothing(h)); };
   const Real finite = nothing(t.pitch_radius) + nothing(t.lead) + nothing(t.pitch) + nothing(t.flank_angle) +
                       nothing(t.profile_curvature) + nothing(t.thickness) + of_height(t.inner_height) +

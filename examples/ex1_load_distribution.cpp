@@ -28,7 +28,7 @@ int main(int count, char** arguments) try {
       std::printf("  %6zu  %8.3f  %6.3f\n", k + 1, 100.0 * screw.load_rate[k], 100.0 * nut.load_rate[k]);
   }
 } catch (const std::exception& error) {
-  // A wrong input says file, line, key, what was found, what is allowed and how to fix it.
+  // The error of a wrong input contains file, line, key, what was found, what is allowed and how to fix it.
   std::fprintf(stderr, "%s\n", error.what());
   return 2;
 }

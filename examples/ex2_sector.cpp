@@ -29,7 +29,7 @@ void solve(const char* name, double rigidity) {
       body[k] = model.add_node();
       if (k > 0) model.bars.push_back({body[k - 1], body[k], {rigidity, kPitch}});
     }
-    // An approach of the first point to the second, against x: the screw pulls the roller.
+    // Approach of the first point to the second, against x: the screw pulls the roller.
     model.springs.push_back({{screw[k]}, {roller[k]}, -1.0, 0.0, {kHertz}});
     model.springs.push_back({{roller[k]}, {nut[k]}, -1.0, 0.0, {kHertz}});
   }

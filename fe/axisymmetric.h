@@ -41,14 +41,14 @@ struct MeridianGrid {
   std::size_t cell_index(int column, int layer) const { return static_cast<std::size_t>(column * layers + layer); }
 };
 
-/// The filled cells of a grid as a mesh. Throws std::invalid_argument where a cell is turned over
-/// or a point lies at r < 0.
+/// The filled cells of a grid as a mesh. Throws std::invalid_argument if a cell is turned over or a point lies at r <
+/// 0.
 class MeshedGrid {
  public:
   explicit MeshedGrid(const MeridianGrid& grid);
 
   const MeridianMesh& mesh() const { return mesh_; }
-  /// Node at a grid point, -1 where no filled cell touches it.
+  /// Node at a grid point, -1 if no filled cell touches the point.
   int node(int column, int layer) const { return at(2 * column, 2 * layer); }
   /// Side of the cells along `layer`, from `column` to `column` + 1; it must exist.
   MeridianEdge along_axis(int column, int layer) const;
@@ -84,7 +84,7 @@ constexpr int row_of(int node, Component c) { return kComponents * node + static
 /// c_n [-].
 double circumference_factor(int harmonic);
 
-/// Linear elastic, isotropic.
+/// Linear elastic, isotropic material.
 struct Isotropic {
   double youngs_modulus = 0.0;  ///< E [Pa], > 0.
   double poisson_ratio = 0.0;   ///< nu, -1 < nu < 1/2.
@@ -118,7 +118,7 @@ using Traction = std::function<Eigen::Vector3d(double r, double z)>;
 void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic, const Traction& traction,
                    Eigen::Ref<Eigen::VectorXd> loads);
 
-/// One component of one node is held.
+/// Support that holds one component of one node.
 struct HarmonicSupport {
   int node = 0;
   Component component = Component::axial;
@@ -138,17 +138,16 @@ struct HarmonicSpring {
   double stiffness = 0.0;  ///< [N/m]
 };
 
-/// The equations of one body for harmonics of one kind, n = 0, n = 1 or n >= 2, which differ in
-/// what the axis allows: U = V = 0 for n = 0, V = -U and W = 0 for n = 1 (a point of the axis moves
-/// sideways), U = V = W = 0 above. Pattern, order and symbolic factorization are worked out once.
-/// Without supports the stiffness is singular for n = 0 (axial translation) and n = 1 (lateral
-/// translation and rotation); from n = 2 on never.
+/// Equations of one body for harmonics of one kind, n = 0, n = 1 or n >= 2, which differ in the displacements of the
+/// axis: U = V = 0 for n = 0, V = -U and W = 0 for n = 1 (a point of the axis moves sideways), U = V = W = 0 above.
+/// Pattern, order and symbolic factorization are computed once. Without supports the stiffness is singular for n = 0
+/// (axial translation) and n = 1 (lateral translation and rotation); for n >= 2 it never is.
 class HarmonicBody {
  public:
   HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
                const std::vector<HarmonicSupport>& supports = {}, const std::vector<HarmonicSpring>& springs = {});
 
-  /// Refills the stiffness for a harmonic of the same kind as at birth, and factorizes it.
+  /// Recomputes the stiffness for a harmonic of the same kind as at construction, and factorizes it.
   FactorizationStatus factorize(int harmonic);
 
   /// Displacements over the mesh, one column for each column of nodal loads. Loads on held
@@ -158,7 +157,7 @@ class HarmonicBody {
   int unknowns() const { return stiffness_.size(); }
 
  private:
-  /// Equation of a row and its sign; -1 where held.
+  /// Equation of a row and its sign; -1 if held.
   struct Freedom {
     int equation = -1;
     double sign = 1.0;

@@ -66,8 +66,8 @@ struct BeamMotion {
   Real deflection;       ///< v_2 - v_1 [m]
   Real first_rotation;   ///< theta_1 [rad]
   Real second_rotation;  ///< theta_2 [rad]
-  Real first_rest{};     ///< Compensation: rounding error of theta_1
-  Real second_rest{};    ///< and of theta_2 [rad].
+  Real first_rest{};     ///< Compensation: rounding error of theta_1 [rad].
+  Real second_rest{};    ///< Compensation: rounding error of theta_2 [rad].
 };
 
 /// End forces on the beam, K q over (u_1, v_1, theta_1, u_2, v_2, theta_2), from elongation and the

@@ -6,18 +6,17 @@
 
 namespace fe {
 
-/// Displacement of the loaded freedom by `unit_load` there with the tangent K of the contacts, in
-/// place of the states, where `wanted`; NaN elsewhere, and where K is singular or its factors have
-/// too few digits.
+/// Displacement of the loaded freedom by `unit_load` there with the tangent K of the contacts, which replaces the
+/// states, where `wanted`; NaN elsewhere, and where K is singular or its factors have too few digits.
 ///
-/// With x the solution so far, K x = f - r, it is x'f + x'r but for the square of the error of x:
-/// x is refined until the second part is small.
+/// With the solution x so far, K x = f - r, the result is x'f + x'r with an error of second order in that of x: x is
+/// refined until the second term is small.
 template <class Real, class Station>
 Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& unit_load, const Lanes<Real>& wanted) {
   constexpr int M = Station::kFreedoms, kMostRefinements = 10;
   constexpr double kTolerance = 1e-11;
   const ChainElimination<Real, Station> elimination(chain);
-  // Steps become K^-1 of the right-hand side. False where K is singular.
+  // Replaces steps by K^-1 times the right-hand side. Returns false if K is singular.
   const auto solve = [&](const ChainResidual<Real>& right) {
     const Lanes<Real> regular = !elimination.factorize(right, Real(0.0), [](const auto&) {});
     Real next[M];
@@ -59,10 +58,10 @@ struct ChainStepSums {
   Real work = Real(0.0);       ///< N delta
   Real stiffness = Real(0.0);  ///< t delta^2
   Real slope = Real(0.0);      ///< d'r, r the residual before the step
-  Real left = Real(0.0);       ///< Largest difference of a force from its tangent after the step [N].
+  Real left = Real(0.0);       ///< Largest difference of a force from its linearization after the step [N].
 };
 
-/// Backward half of the solve for the residual; the contacts that are active after the full step.
+/// Backward half of the solve for the residual, and the sums over the contacts that are active after the full step.
 template <class Real, class Station, class Law>
 ChainStepSums<Real> full_step(const ChainElimination<Real, Station>& elimination,
                               const ChainStations<Real, Station>& chain, const Law& law,
@@ -98,7 +97,7 @@ ChainStepSums<Real> full_step(const ChainElimination<Real, Station>& elimination
           of_both<Station>(s.left)};
 }
 
-/// Takes the contacts marked back by a share of the last step; their energies there.
+/// Moves the marked contacts back by a share of the last step and returns their energies there.
 template <class Real, class Station, class Law>
 Real take_back(const ChainStations<Real, Station>& chain, const Law& law, const Real& share,
                const Lanes<Real>& marked) {
@@ -118,7 +117,7 @@ Real take_back(const ChainStations<Real, Station>& chain, const Law& law, const 
   return total<Station>(energy);
 }
 
-/// What rounding of the displacements can change in a contact's force, relative to the largest.
+/// Largest change of a contact's force by rounding of the displacements, relative to the largest force.
 template <class Real, class Station>
 Real approach_rounding(const ChainStations<Real, Station>& chain) {
   constexpr int M = Station::kFreedoms;
@@ -150,7 +149,7 @@ Real force_change(const ChainStations<Real, Station>& chain) {
   return of_both<Station>(largest_change) / of_both<Station>(largest_force);
 }
 
-/// How each of the chains side by side ended; as in NewtonSummary.
+/// Outcome of each of the chains side by side; as in NewtonSummary.
 template <class Real>
 struct ChainSummary {
   Lanes<Real> converged = Real(0.0) < Real(0.0);
@@ -165,14 +164,14 @@ struct ChainSummary {
 
 /// Newton's method of NewtonSolver for chains. The load pushes freedom 0 of station 0.
 ///
-/// A full Newton step leaves of the residual only what the contacts' forces differ from their
-/// tangents, so that between factorizations the linear elements need not be looked at; the whole
-/// residual, from displacements that keep their rounding, decides at the end, and where it is not
-/// small enough its own step follows. Energies are followed in the same way: along a step d,
+/// After a full Newton step the residual is only the difference of the contacts' forces from their linearization, so
+/// that the linear elements are not needed between factorizations; the whole residual, from displacements that keep
+/// their rounding, decides at the end, and where it is not small enough a step for it follows. Energies are computed in
+/// the same way: along a step d,
 ///
 ///     E(a) - E(0) = sum of the contacts' - a (d'r - sum N delta) + a^2/2 (d'r - sum t delta^2),
 ///
-/// delta the change of a contact's net approach.
+/// with delta the change of a contact's net approach.
 template <class Real, class Station, class Law>
 class Chain {
  public:
@@ -184,8 +183,8 @@ class Chain {
   Chain(const Station& station, const Law& law, int stations, Record* records)
       : chain_{station, stations, records}, elimination_(chain_), law_(law) {}
 
-  /// From the net approaches in the records and the states there, which must be those of rigid
-  /// bodies. Residuals are relative to `scale`.
+  /// Solves from the net approaches and states in the records, which must be those of rigid bodies. Residuals are
+  /// relative to `scale`.
   ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options) {
     start(load, scale);
     const int limit = options.iteration_limit(contacts());
@@ -201,8 +200,8 @@ class Chain {
     return summary_;
   }
 
-  /// Displacement of the loaded freedom per load, at the state reached, which it replaces; NaN
-  /// where that is no equilibrium, or as chain_flexibility has it.
+  /// Displacement of the loaded freedom per load at the current state, which is overwritten; NaN if that is not an
+  /// equilibrium, or as in chain_flexibility.
   Real flexibility() const {
     Real unit(1.0);
     if constexpr (kFolded<Station>) unit = select(abs(load_) > 0.0, unit, Real(0.0));
@@ -210,7 +209,7 @@ class Chain {
   }
 
  private:
-  /// In both halves of a folded chain.
+  /// Number of contacts, of both halves of a folded chain.
   int contacts() const { return (kFolded<Station> ? 4 : 2) * chain_.count; }
 
   void start(const Real& load, const Real& scale) {
@@ -243,7 +242,7 @@ class Chain {
     move_pending_ = false;
   }
 
-  /// The last step is taken when its stations are next looked at.
+  /// Function that applies the last step, when its stations are read next.
   auto pending_move() const {
     return [this](Record & record) __attribute__((always_inline)) {
       if (move_pending_)
@@ -252,7 +251,7 @@ class Chain {
     };
   }
 
-  /// Shifts the tangent where it is singular; a lane that no shift helps stops. False where all do.
+  /// Shifts the tangent if it is singular; stops lanes for which no shift helps. Returns false if all do.
   bool factorize(const NewtonOptions& options, Real& shift) {
     Mask singular = elimination_.factorize(residual_, shift, pending_move()) & active_;
     move_pending_ = false;
@@ -268,7 +267,7 @@ class Chain {
     return true;
   }
 
-  /// Halves the step where it does not descend.
+  /// Halves the step if the energy does not fall.
   void search(const NewtonOptions& options, ChainStepSums<Real>& s) {
     length_ = Real(1.0);
     const auto gain = [&] {
@@ -297,8 +296,7 @@ class Chain {
     active_ = active_ & !summary_.search_failed;
   }
 
-  /// Whether the state is that of equilibrium, by the whole residual where a step of its own would
-  /// be the next.
+  /// Checks for equilibrium, by the whole residual if its own step would be the next.
   void assess(const NewtonOptions& options, const ChainStepSums<Real>& s, const Real& shift) {
     // |cos|, |sin| <= 1, and a freedom meets at most both contacts of its station.
     const Real relative = 2.0 * s.left * inverse_scale_;
@@ -313,15 +311,15 @@ class Chain {
     checked_ = check;
     if (!any(check)) return;
     const Real whole = look_at_all(check);
-    // No less than what the last step changed in a contact's force, relative to the largest: of one
-    // contact alone the work of the change is 5/3 of its square times the energy. Up to the root of
-    // twice the contacts too much.
+    // Upper bound of the last step's change of a contact's force, relative to the largest: if only one contact changes,
+    // the work of the change is 5/3 of its square times the energy. Too large by at most the root of twice the number
+    // of contacts.
     const Real change = sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ * s.stiffness / contact_energy_);
     const Mask told = approach_rounding(chain_) <= options.force_tolerance;
     const Mask exact = options.exact(change, whole, before);
     const Mask small_in_all = options.small(whole);
     const Mask done = candidate & told & exact & small_in_all;
-    // A whole residual that its own step does not lessen is that of rounding.
+    // A whole residual that its own step does not reduce is due to rounding.
     const Mask stalled = candidate & checked_before & !done & options.stalled(whole, before);
     const Mask rounded =
         any(stalled) ? stalled & told & options.rounded(length_ * force_change(chain_), whole) : stalled;
@@ -331,8 +329,7 @@ class Chain {
     active_ = active_ & !done & !stalled;
   }
 
-  /// Residual of all freedoms relative to the scale; where marked it and the energy are those of
-  /// the state.
+  /// Residual of all freedoms relative to the scale; in marked lanes it and the energy become those of the state.
   Real look_at_all(const Mask& marked) {
     const WholeResidual<Real> r = whole_residual(chain_, load_, pending_move(), marked, active_);
     move_pending_ = false;
@@ -349,12 +346,12 @@ class Chain {
 
   ChainSummary<Real> summary_;
   Real load_, inverse_scale_, contact_energy_;
-  ChainResidual<Real> residual_;  ///< For the next step.
+  ChainResidual<Real> residual_;  ///< Right-hand side of the next step.
   Mask active_,
-      checked_;                ///< Checked: by the whole residual, after the last step.
+      checked_;                ///< Lanes checked by the whole residual after the last step.
   Real length_;                ///< Fraction of the last step taken,
-  Mask moved_;                 ///< by these lanes;
-  bool move_pending_ = false;  ///< the states do not have it yet.
+  Mask moved_;                 ///< lanes that took it;
+  bool move_pending_ = false;  ///< the states do not contain it yet.
 };
 
 }  // namespace fe

@@ -4,36 +4,26 @@
 
 #include "fe/lanes.h"
 
-/// A chain of equal stations, each with two unilateral contacts, solved station by station. `Real`
-/// is a number or a batch of numbers: several chains side by side, each with its own convergence.
+/// A chain of equal stations, each with two unilateral contacts, solved station by station. `Real` is a number or a
+/// batch of numbers: several chains side by side, each with its own convergence.
 ///
-/// A `Station` tells the linear part and the contacts:
+/// A `Station` defines the linear part and the contacts:
 ///
 /// - `kFreedoms`: M, freedoms of a station
-///
 /// - `couples(i, j)`: whether the interval to the next station couples freedom i with j there
-///
 /// - `form<contact>()`: the approaches of the two contacts as linear forms of the freedoms
-///
 /// - `coefficient(contact, kind)`: of the forms
-///
 /// - `held(k, Index<i>)`: whether freedom i of station k cannot move
-///
 /// - `add_station(k, add)`: stiffness of supports and elements within station k
+/// - `add_interval_start(k, add)`: terms of the interval from k to k + 1 at k, and its coupling
+/// - `add_interval_end(k, add)`: its terms at k + 1
+/// - `add_forces(k, here, force)`: the forces of elements within a station, from their deformations
+/// - `add_forces(k, here, next, force, next_force)`: the forces of the interval
 ///
-/// - `add_interval_start(k, add)`: what the interval from k to k + 1 adds to k and couples
+/// with add(Index<i>, Index<j>, value) for i <= j, j >= M meaning freedom j - M of the next station. A held freedom has
+/// a support of infinite stiffness: its inverse pivot is 0, and with it all that it passes on, exactly.
 ///
-/// - `add_interval_end(k, add)`: what it adds to k + 1
-///
-/// - `add_forces(k, here, force)`: the forces of elements within a station, by what deforms them
-///
-/// - `add_forces(k, here, next, force, next_force)`: those of the interval
-///
-/// with add(Index<i>, Index<j>, value) for i <= j, j >= M meaning freedom j - M of the next
-/// station. A held freedom has a support of infinite stiffness: its inverse pivot is 0, and with it
-/// all that it passes on, exactly.
-///
-/// A `Law` tells the contacts' force: evaluate(contact, k, net approach) -> ChainResponse.
+/// A `Law` defines the contacts' force: evaluate(contact, k, net approach) -> ChainResponse.
 
 namespace fe {
 
@@ -57,12 +47,12 @@ struct ChainState {
   Real head[M];
   Real tail[M];
 
-  /// A freedom here less the same one at `from`.
+  /// Difference of a freedom here and at `from`.
   [[gnu::always_inline]] Real difference(int i, const ChainState& from) const {
     return (head[i] - from.head[i]) + (tail[i] - from.tail[i]);
   }
 
-  /// this -= step where `move`.
+  /// Subtracts the step where `move`.
   template <class Mask>
   [[gnu::always_inline]] void move_back(int i, const Real& step, const Mask& move) {
     const Real change = tail[i] - step;
@@ -73,8 +63,7 @@ struct ChainState {
   }
 };
 
-/// Which freedoms each pivot of a station meets, its own station first, when those before it are
-/// eliminated.
+/// Freedoms coupled to each pivot of a station, its own station first, after the pivots before it are eliminated.
 template <class Station>
 struct ChainFill {
   static constexpr int M = Station::kFreedoms;
@@ -100,13 +89,13 @@ struct ChainFill {
 template <class Station>
 inline constexpr ChainFill<Station> kChainFill{};
 
-/// All that a solve keeps of a station.
+/// State of a solve at a station.
 template <class Real, class Station>
 struct ChainRecord {
   static constexpr int M = Station::kFreedoms;
   struct Contact {
     Real net_approach;  ///< w - g [m]
-    Real force;         ///< At this approach [N].
+    Real force;         ///< Force at this approach [N].
     Real tangent;       ///< [N/m]
     Real remainder;     ///< Part of the residual along the contact [N].
   };
@@ -114,10 +103,10 @@ struct ChainRecord {
   Real step[M];
   ChainState<Real, M> state;
   Contact contact[2];
-  Real correction[M];  ///< The rest of the residual, by the linear elements [N].
+  Real correction[M];  ///< Other part of the residual, from the linear elements [N].
 };
 
-/// The chain that is solved.
+/// Station, law and records of the chain being solved.
 template <class Real, class Station>
 struct ChainStations {
   const Station& station;
@@ -125,7 +114,7 @@ struct ChainStations {
   ChainRecord<Real, Station>* records;
 };
 
-/// Approach b'd of contact C, b its form.
+/// Approach b'd of contact C with the form b.
 template <int C, class Station, class Real>
 [[gnu::always_inline]] inline Real along(const Station& station, const Real* d) {
   static constexpr auto form = Station::template form<C>();
@@ -139,7 +128,7 @@ template <int C, class Station, class Real>
   return sum;
 }
 
-/// right += b force.
+/// Adds b force to `right`.
 template <int C, class Station, class Real>
 [[gnu::always_inline]] inline void add_along(const Station& station, Real* right, const Real& force) {
   static constexpr auto form = Station::template form<C>();
@@ -151,7 +140,7 @@ template <int C, class Station, class Real>
   });
 }
 
-/// a += t b b', upper triangle.
+/// Adds t b b' to the upper triangle of `a`.
 template <int C, class Station, class Real, std::size_t N>
 [[gnu::always_inline]] inline void add_tangent(const Station& station, Real (&a)[N][N], const Real& t) {
   static constexpr auto form = Station::template form<C>();
@@ -179,7 +168,7 @@ inline constexpr bool kFolded = requires {
   requires Station::kFolded;
 };
 
-/// Sum over the chain of what each lane has summed.
+/// Sum over the chain of the sums of its lanes.
 template <class Station, class Real>
 [[gnu::always_inline]] inline Real total(const Real& sum) {
   if constexpr (kFolded<Station>)
@@ -188,7 +177,7 @@ template <class Station, class Real>
     return sum;
 }
 
-/// Largest over the chain of what is each lane's largest.
+/// Maximum over the chain of the maxima of its lanes.
 template <class Station, class Real>
 [[gnu::always_inline]] inline Real of_both(const Real& worst) {
   if constexpr (kFolded<Station>)

@@ -27,7 +27,7 @@ class EigenFactorization : public SparseFactorization {
     factor_.factorize(matrix_);
     if (factor_.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
     const Eigen::VectorXd pivots = factor_.vectorD();
-    // False where one is no number.
+    // false if a pivot is NaN.
     const bool positive = (pivots.array() > smallest_pivot_ratio * pivots.maxCoeff()).all();
     return positive ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
   }

@@ -10,8 +10,8 @@
 
 namespace fe {
 
-/// A symmetric matrix as a product of sparse triangles. The pattern is fixed and its order is kept.
-/// All of it throws std::bad_alloc where memory does not suffice.
+/// Factorization of a symmetric matrix into sparse triangles, with fixed pattern and order. All members throw
+/// std::bad_alloc if memory does not suffice.
 class SparseFactorization {
  public:
   SparseFactorization() = default;
@@ -19,7 +19,7 @@ class SparseFactorization {
   SparseFactorization(const SparseFactorization&) = delete;
   SparseFactorization& operator=(const SparseFactorization&) = delete;
 
-  /// Not positive definite: also where a pivot is below `smallest_pivot_ratio` times the largest.
+  /// Factorizes. The result is not positive definite also if a pivot is below `smallest_pivot_ratio` times the largest.
   virtual FactorizationStatus factorize(const SparseSymmetric& matrix,
                                         double smallest_pivot_ratio = kSmallestPivotRatio) = 0;
 
@@ -28,9 +28,9 @@ class SparseFactorization {
   virtual void solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x) const = 0;
 };
 
-/// Sparse LDL' for a fixed pattern of the size of a sector, by CHOLMOD. The symbolic analysis happens
-/// once, at birth; `factorize` takes new values for the same pattern. The matrix is factorized in the order given:
-/// number the equations by `fill_reducing_order` first.
+/// Sparse LDL' for a fixed pattern of the size of a sector, by CHOLMOD. The symbolic analysis happens once, at
+/// construction; `factorize` takes new values for the same pattern. The matrix is factorized in the order given: number
+/// the equations by `fill_reducing_order` first.
 class Cholesky {
  public:
   explicit Cholesky(const SparseSymmetric& pattern);
@@ -51,14 +51,14 @@ class Cholesky {
   std::unique_ptr<SparseFactorization> factorization_;
 };
 
-/// Takes Eigen's from now on, for comparing both; not while other threads solve.
+/// Selects Eigen's factorization from now on, for comparing both; not while other threads solve.
 void factorize_by_eigen(bool always);
 
-/// Eigen's simplicial LDL', and what it is called.
+/// Eigen's simplicial LDL', and its name.
 std::unique_ptr<SparseFactorization> eigen_factorization(const SparseSymmetric& pattern);
 std::string eigen_factorization_name();
 
-/// Approximate minimum degree order, by Eigen: entry k is the row that comes k-th.
+/// Approximate minimum degree order, by Eigen: entry k is the row eliminated k-th.
 std::vector<int> fill_reducing_order(const SparseSymmetric& pattern);
 
 }  // namespace fe

@@ -16,7 +16,7 @@ void set_common(cholmod_common& common) {
   common.quick_return_if_not_posdef = 1;
 }
 
-/// Throws std::bad_alloc where CHOLMOD had too little memory, or would need more than it can count.
+/// Throws std::bad_alloc if CHOLMOD had too little memory, or would need more than it can count.
 void require_memory(const cholmod_common& common) {
   if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
 }
@@ -51,7 +51,7 @@ cholmod_dense view(const Eigen::Ref<const Eigen::MatrixXd>& b) {
   return d;
 }
 
-/// A factorization by CHOLMOD with a workspace of its own, so that threads do not meet.
+/// A factorization by CHOLMOD with a workspace of its own, so that threads are independent.
 class Cholmod : public SparseFactorization {
  public:
   Cholmod(const SparseSymmetric& pattern, int kind) {
@@ -95,7 +95,7 @@ class Cholmod : public SparseFactorization {
   }
 
  private:
-  /// Whether all pivots of LDL' are above that share of the largest; false if one is no number.
+  /// Whether all pivots of LDL' are above that share of the largest; false if one is NaN.
   bool pivots_are_above(double smallest_ratio) const {
     const int* first = static_cast<const int*>(factor_->p);
     const double* value = static_cast<const double*>(factor_->x);
@@ -140,7 +140,7 @@ std::vector<int> minimum_degree_order(const SparseSymmetric& pattern) {
 
 std::string simplicial_factorization_name() {
   int version[3];
-  cholmod_version(version);  // Of the library that is loaded.
+  cholmod_version(version);  // version of the loaded library
   std::string text = "CHOLMOD ";
   for (const int number : version) text += std::to_string(number) + '.';
   text.back() = ',';

@@ -6,13 +6,13 @@
 /// factorization behind the same functions. All of them throw std::bad_alloc.
 namespace fe {
 
-/// LDL' number by number, for patterns of the size of a sector.
+/// LDL' without blocks, for patterns of the size of a sector.
 std::unique_ptr<SparseFactorization> simplicial_factorization(const SparseSymmetric& pattern);
 
 /// LL' by dense blocks, for much larger patterns.
 std::unique_ptr<SparseFactorization> supernodal_factorization(const SparseSymmetric& pattern);
 
-/// Approximate minimum degree order for large patterns: entry k is the row that comes k-th.
+/// Approximate minimum degree order for large patterns: entry k is the row eliminated k-th.
 std::vector<int> minimum_degree_order(const SparseSymmetric& pattern);
 
 /// Library, version and kind of `simplicial_factorization`.

@@ -28,8 +28,8 @@ LinearForm approach_of(const SpringElement& e) {
   return form;
 }
 
-/// Pattern of the upper triangle over the equations that `number` gives to the freedoms.
-/// A follower is coupled by the free freedoms that it follows in the end.
+/// Pattern of the upper triangle over the equations that `number` gives to the freedoms. A follower couples the free
+/// freedoms that it depends on in the end.
 SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, int size) {
   Places places;
   std::vector<int> coupled;
@@ -60,8 +60,7 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
   return places.compressed(size);
 }
 
-/// Which freedoms the parts of a model join, in their order: equal for models that differ in
-/// numbers other than 0 only.
+/// Freedoms joined by each part of a model, in order: equal for models that differ in numbers other than 0 only.
 std::vector<int> shape_of(const Model& model) {
   std::vector<int> shape{model.nodes};
   const auto add = [&](const auto& parts, auto freedoms_of) {
@@ -124,7 +123,7 @@ void less_forces(const std::vector<Equations::Spring>& springs, const Eigen::Vec
   }
 }
 
-/// Beams shorter than this take numbers of 113 binary digits [m].
+/// Length below which beams are computed in numbers of 113 binary digits [m].
 constexpr double kShortBeam = 2e-4;
 
 }  // namespace
@@ -186,7 +185,7 @@ void Equations::number_freedoms(const Model& model) {
   for (std::size_t k = 0; k < model.constraints.size(); ++k) {
     const Constraint& c = model.constraints[k];
     int& n = at(number_, global(c.node, c.dof));
-    assert(n == kFollows);  // One constraint for a freedom, and no form of later ones.
+    assert(n == kFollows);  // One constraint for a freedom, whose form names no later ones.
     n = size + static_cast<int>(k);
     assert(std::ranges::all_of(c.form, [&](const Term& t) {
       const int followed = at(number_, global(t.node, t.dof));

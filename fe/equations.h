@@ -18,19 +18,19 @@ struct State {
   State(Eigen::VectorXd q)  // NOLINT: a plain vector is a state without tail
       : head(std::move(q)), tail(Eigen::VectorXd::Zero(head.size())) {}
 
-  /// Displacement i; -1 stands for a freedom that does not move.
+  /// Displacement i; -1 is a freedom that does not move.
   double operator[](int i) const { return i < 0 ? 0.0 : head[i]; }
 
-  /// Compensation of displacement i: the part that rounding took from the head.
+  /// Compensation of displacement i: the part that the head lost by rounding.
   double compensation(int i) const { return i < 0 ? 0.0 : tail[i]; }
 
-  /// Displacement j less displacement i.
+  /// Displacement j minus displacement i.
   double difference(int i, int j) const {
     if (i < 0 || j < 0) return (*this)[j] - (*this)[i];
     return (head[j] - head[i]) + (tail[j] - tail[i]);
   }
 
-  /// Sets this to from - length * step, the tail taking what the head rounds away.
+  /// Sets this to from - length * step; the tail keeps the rounding error of the head.
   void set_to_step(const State& from, double length, const Eigen::VectorXd& step) {
     for (Eigen::Index i = 0; i < step.size(); ++i) {
       const double change = from.tail[i] - length * step[i];
@@ -42,20 +42,20 @@ struct State {
   }
 };
 
-/// The model as equations: numbered free freedoms, the sparse pattern, the linear part of the
-/// stiffness, and for each spring its approach as a linear form of the unknowns with the places
-/// where its tangent goes. Built once, read by every solve.
+/// The model as equations: numbered free freedoms, the sparse pattern, the linear part of the stiffness, and for each
+/// spring its approach as a linear form of the unknowns with the slots of its tangent in the matrix. Built once, read
+/// by every solve.
 class Equations {
  public:
   explicit Equations(const Model& model);
 
-  /// Takes the numbers of another model. Numbering and pattern stay, and what was built on them.
-  /// False, and nothing happens, where the model has other nodes, elements or forms.
+  /// Takes the numbers of another model. Numbering and pattern stay, and objects built on them remain valid. Returns
+  /// false, without a change, if the model has other nodes, elements or forms.
   bool take(const Model& model);
 
   int size() const { return static_cast<int>(kind_.size()); }
-  /// Number of the equation of a freedom, or -1 where it is fixed or not stiffened by anything.
-  /// From `size()` on, freedoms that follow others.
+  /// Number of the equation of a freedom, or -1 if it is fixed or has no stiffness. From `size()` on: freedoms that
+  /// follow others.
   int number(int node, Dof dof) const {
     return number_[static_cast<std::size_t>(kDofsPerNode * node + static_cast<int>(dof))];
   }
@@ -68,7 +68,7 @@ class Equations {
 
   /// Load vector over the free freedoms; loads on fixed ones go into the support.
   Eigen::VectorXd load_vector(const std::vector<NodalLoad>& loads) const;
-  /// Calls visit(equation, force) for what the loads are made of.
+  /// Calls visit(equation, force) for the terms of the loads.
   template <class Visit>
   void for_each_load(const std::vector<NodalLoad>& loads, Visit visit) const {
     for (const NodalLoad& load : loads)
@@ -89,7 +89,7 @@ class Equations {
     /// Approach less gap, to its own rounding: it may be far smaller than the displacements.
     double net_approach(const State& q) const;
 
-    /// Calls add(slot, value) for the tangent stiffness k times the coefficients' outer product.
+    /// Calls add(slot, value) for the tangent stiffness k times the outer product of the coefficients.
     template <class Real, class Add>
     void for_each_tangent(const Real& k, Add add) const {
       std::size_t next = 0;
@@ -101,11 +101,11 @@ class Equations {
   };
 
   const std::vector<Spring>& springs() const { return springs_; }
-  /// Approach of spring k less its gap, to its own rounding [m].
+  /// Approach of spring k less its gap, without cancellation [m].
   double net_approach(const State& q, int k) const;
   /// Force, tangent and energy of spring k.
   SpringResponse response(const State& q, int k) const;
-  /// Deflection of the power law alone of spring k [m].
+  /// Deflection of spring k's power law alone [m].
   double law_approach(const State& q, int k) const;
 
   /// A matrix with the fixed pattern, holding the linear part (bars, beams, shells, elastic
@@ -114,9 +114,8 @@ class Equations {
   /// The values of that matrix in another number type.
   template <class Real>
   std::vector<Real> linear_values() const;
-  /// Forces of the linear part at the state q, element by element from what deforms them: K q where
-  /// nothing is displaced by the supports. Returns 2 E - q'forces, with E the energy stored.
-  /// `StateOf` reads as State does.
+  /// Forces of the linear part at the state q, element by element from the deformations: K q if supports displace
+  /// nothing. Returns 2 E - q'forces, with the stored energy E. `StateOf` has the functions of State.
   template <class StateOf, class Vector>
   auto linear_forces(const StateOf& q, Vector& forces) const {
     return forces_of(Displacements<StateOf>{*this, q, 1.0}, forces);
@@ -130,10 +129,10 @@ class Equations {
   /// sum of |K_ij q_j| over the elements [N, N m].
   Eigen::VectorXd rounding_residual(const State& q) const;
 
-  /// Refills `matrix`, of the pattern of `linear_stiffness`, for linear springs of these
-  /// stiffnesses in place of the contacts [N/m]; with their tangents the Hessian of the energy.
+  /// Fills `matrix`, of the pattern of `linear_stiffness`, for linear springs of these stiffnesses in place of the
+  /// contacts [N/m]; with the contacts' tangents it is the Hessian of the energy.
   void secant_stiffness(const std::vector<double>& stiffness, SparseSymmetric& matrix) const;
-  /// f less the forces of such springs and of the linear part where nothing is displaced.
+  /// f less the forces of such springs and of the linear part without displaced supports.
   void secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
   /// f - K x with such springs, without their gaps.
   void secant_residual(const std::vector<double>& stiffness, const State& x, const Eigen::VectorXd& f,
@@ -142,13 +141,14 @@ class Equations {
   /// Largest approach of a spring, of either sign [m].
   double largest_approach(const State& q) const;
 
-  /// f - K x with the tangent K at the state q, from what x deforms: exact to rounding of the
-  /// forces however large the rigid motion in x is. Allocates nothing.
+  /// f - K x with the tangent K at the state q, from the deformations in x: exact to rounding of the forces however
+  /// large the rigid motion in x is. Allocates nothing.
   void tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
 
   /// Largest change of a spring's force by a step x to the state q, relative to the largest force.
   double force_change(const State& q, const Eigen::VectorXd& x) const;
-  /// What rounding of `Spring::approach` at the state q can change in a force, likewise.
+  /// Largest change of a spring's force by rounding of `Spring::approach` at the state q, relative to the largest
+  /// force.
   double force_rounding(const State& q) const;
 
   /// Force of an elastic link of the model [N or N m].
@@ -161,7 +161,7 @@ class Equations {
   std::vector<double> nodal_forces(const State& q) const;
 
  private:
-  /// A freedom that follows others, as the equations that its form names.
+  /// A freedom that follows others, as a form of equations.
   struct Follower {
     std::vector<std::pair<int, double>> terms;
     double offset = 0.0;
@@ -172,8 +172,8 @@ class Equations {
     double stiffness;
   };
 
-  /// Displacements of all freedoms, those included that follow others. Offsets and rests count
-  /// `affine` times: once in a state, not at all in a rate.
+  /// Displacements of all freedoms, including followers. Offsets and compensations count `affine` times: 1 for a state,
+  /// 0 for a rate.
   template <class StateOf>
   struct Displacements {
     const Equations& equations;
@@ -213,7 +213,7 @@ class Equations {
     }
   };
 
-  /// Calls visit(equation, coefficient) for what a freedom is made of.
+  /// Calls visit(equation, coefficient) for the terms of a freedom.
   template <class Visit>
   void for_each_term(int equation, Visit visit) const {
     if (equation < 0) return;
@@ -252,7 +252,7 @@ class Equations {
   void add_springs(const Model& model);
   int slot(int i, int j) const;
 
-  std::vector<int> shape_;  ///< Which freedoms each part of the model joins.
+  std::vector<int> shape_;  ///< Freedoms joined by each part of the model.
   std::vector<int> number_;
   std::vector<Dof> kind_;
   std::vector<NumberedBar> bars_;

@@ -2,13 +2,13 @@
 
 #include "simd/lanes.h"
 
-/// simd/lanes.h, one chain per lane, and loops that the compiler writes out.
+/// simd/lanes.h with one chain per lane, and loops that the compiler unrolls.
 namespace fe {
 
 template <int I>
 using Index = std::integral_constant<int, I>;
 
-/// f(Index<0>), f(Index<1>), .. f(Index<N - 1>), written out by the compiler.
+/// Calls f(Index<0>), f(Index<1>), .. f(Index<N - 1>), unrolled by the compiler.
 template <int N, class F>
 [[gnu::always_inline]] inline void unroll(F&& f) {
   [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) { (f(Index<I>{}), ...); }
@@ -17,7 +17,7 @@ template <int N, class F>
 
 using simd::select, simd::any, simd::sqrt, simd::abs, simd::max, simd::min, simd::cbrt;
 
-/// The larger of both; keeps a NaN in `a` or `b`.
+/// The larger of both; NaN if `a` or `b` is.
 template <class Real>
 [[gnu::always_inline]] inline Real largest(const Real& a, const Real& b) {
   return select(b <= a, a, select(a <= b, b, a + b));

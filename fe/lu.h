@@ -2,5 +2,5 @@
 
 #include <Eigen/LU>
 
-/// Compiled once, in lu.cpp, for all who factorize dense matrices.
+/// Instantiated once, in lu.cpp, for all sources that factorize dense matrices.
 extern template void Eigen::PartialPivLU<Eigen::MatrixXd>::compute();

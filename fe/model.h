@@ -91,8 +91,8 @@ struct ElasticLink {
   double stiffness = 0.0;  ///< k [N/m or N m/rad]
 };
 
-/// A freedom that follows others: it is the form plus `offset`. The form names free freedoms, and
-/// those of constraints before this one.
+/// A freedom that follows others: it equals the form plus `offset`. The form names free freedoms, and those of earlier
+/// constraints.
 struct Constraint {
   int node = 0;
   Dof dof = Dof::u;
@@ -100,16 +100,16 @@ struct Constraint {
   double offset = 0.0;  ///< [m or rad]
 };
 
-/// A plane structure of bars, beams, shells and unilateral springs: what stays constant in a solve.
-/// Bars stiffen u, forms what they name, springs between nodes u, and v and theta where beams or
-/// shells do. A freedom that nothing stiffens takes no part in the equations.
+/// A plane structure of bars, beams, shells and unilateral springs: the data that stay constant in a solve. Bars
+/// stiffen u, forms the freedoms they name, springs between nodes u, and v and theta where beams or shells do. A
+/// freedom without stiffness takes no part in the equations.
 struct Model {
   int nodes = 0;
   std::vector<BarElement> bars;
   std::vector<BeamElement> beams;
   std::vector<ShellElement> shells;
   std::vector<SpringElement> springs;
-  std::vector<FormSpring> form_springs;  ///< Behind `springs` in their numbering.
+  std::vector<FormSpring> form_springs;  ///< Numbered after `springs`.
   std::vector<ElasticSupport> elastic_supports;
   std::vector<ElasticLink> elastic_links;
   std::vector<FixedSupport> fixed_supports;

@@ -28,8 +28,8 @@ class DoubleNumbers : public DoubleTangent {
   double energy_and_residual(const State& q, const Vector& f, Vector& residual) const {
     return equations_->energy_and_residual(q, f, residual);
   }
-  /// The factorized secant matrix, kept where it comes again: models that differ in gaps and loads
-  /// have it in common. Null where it is singular.
+  /// The factorized secant matrix, kept for later calls: models that differ in gaps and loads share it. Null if it is
+  /// singular.
   const Cholesky* start_factor() {
     if (matrix().value != start_value_) {
       start_value_ = matrix().value;
@@ -48,7 +48,7 @@ class DoubleNumbers : public DoubleTangent {
   bool residual_is_rounding(const State& q, const Vector& residual) const {
     return (residual.array().abs() <= equations_->rounding_residual(q).array()).all();
   }
-  /// A difference of large works.
+  /// Rounding of the energy, a difference of large works.
   static double energy_rounding(const State& q, const Vector& f, double energy) {
     return 64.0 * std::numeric_limits<double>::epsilon() * (std::abs(energy) + std::abs(f.dot(q.head)));
   }
@@ -62,7 +62,7 @@ class DoubleNumbers : public DoubleTangent {
   std::unique_ptr<Cholesky> start_;
 };
 
-/// The tangent less what the load grows by: K + (B - P)' t B.
+/// The tangent minus the derivative of the following load: K + (B - P)' t B.
 Eigen::SparseMatrix<double> unsymmetric(const SparseSymmetric& tangent, const Equations& equations,
                                         const FollowingLoad& load, const State& q) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -146,11 +146,11 @@ FollowingLoad::FollowingLoad(const Equations& equations, Eigen::VectorXd unchang
 
 bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& options, State& q) {
   constexpr int kMostSteps = 40, kFullSteps = 10;
-  constexpr double kMuchTheSame = 0.05;  // Friction leaves more of an error.
+  constexpr double kMuchTheSame = 0.05;  // Change of stiffness that friction tolerates less exactly.
   DoubleNumbers& numbers = doubles_->method.numbers();
   Eigen::VectorXd &residual = doubles_->residual, &correction = doubles_->correction;
   const State first = q;
-  double left = 0.0;  // Of the forces, relative.
+  double left = 0.0;  // Remaining relative residual of the forces.
   const auto left_at = [&](const State& state) {
     equations_->linear_forces(state, residual);
     residual -= load.constant;
@@ -185,9 +185,9 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
       } else {
         numbers.solve(residual, correction);
       }
-      // Springs that open and close in turn keep full steps going round.
+      // Full steps can cycle if springs open and close in turn.
       q.set_to_step(State(q), step < kFullSteps || fast ? 1.0 : 0.5, correction);
-      // This step leaves a tenth of what was found.
+      // This step reduces the error found to a tenth.
       if (left <= options.residual_tolerance || (small && !fast)) return true;
     }
     q = first;
@@ -218,7 +218,7 @@ bool NewtonSolver::solve_linear(const std::vector<double>& stiffness, const std:
     Eigen::VectorXd x;
     numbers.solve(load, x);
     State refined(std::move(x));
-    // A refinement leaves about the square of what it corrects.
+    // A refinement leaves about the square of the error that it corrects.
     for (int k = 0; k < kMostRefinements; ++k) {
       equations_->secant_residual(stiffness, refined, load, doubles_->residual);
       numbers.solve(doubles_->residual, correction);

@@ -23,45 +23,44 @@ struct FollowingLoad {
   std::vector<std::vector<Share>> per_force;  ///< Shares per force of each spring.
 };
 
-/// Newton's method for one set of equations. Holds the workspace (tangent, factorization, vectors),
-/// so that many loads on one model share the symbolic analysis. Where doubles lose the softest
-/// stiffness among the largest, it goes on in wider numbers (WideNewton).
+/// Newton's method for one set of equations. Holds the workspace (tangent, factorization, vectors), so that many loads
+/// on one model share the symbolic analysis. If doubles lose the softest stiffness among the largest, it goes on in
+/// wider numbers (WideNewton).
 class NewtonSolver {
  public:
-  /// `smallest_pivot_ratio`: as Cholesky::factorize has it; 0 where the caller knows that no motion
-  /// is free.
+  /// `smallest_pivot_ratio`: see Cholesky::factorize; 0 if the caller knows that no motion is free.
   explicit NewtonSolver(const Equations& equations, double smallest_pivot_ratio = kSmallestPivotRatio);
   ~NewtonSolver();
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;
 
-  /// Call it after Equations::take.
+  /// Updates the solver; call it after Equations::take.
   void equations_changed();
 
-  /// Minimises the potential energy under the load `f`, from the state `q`, which it updates.
-  /// Every step is searched along for a smaller energy; the energy is convex, so a Newton step
-  /// always descends. `held`, where given, is asked before wider numbers are taken: where it says
-  /// no, nothing holds the load and they would only find that out more slowly.
+  /// Minimises the potential energy under the load `f`, from the state `q`, which it updates. Every step is searched
+  /// along for a smaller energy; the energy is convex, so a Newton step always descends. `held`, if given, is called
+  /// before wider numbers are used: if it returns false, nothing holds the load and they would only find that out more
+  /// slowly.
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q,
                       const std::function<bool()>& held = {});
 
-  /// Goes on to equilibrium under a load that follows the springs: with the tangent at `q`,
-  /// factorized once, and where the residual does not shrink fast by Newton's method with the
-  /// unsymmetric matrix. False, and `q` is as it was, where that fails too.
+  /// Continues to equilibrium under a load that follows the springs: with the tangent at `q`, factorized once, and if
+  /// the residual does not shrink fast by Newton's method with the unsymmetric matrix. Returns false, with `q`
+  /// unchanged, if that fails too.
   bool follow(const FollowingLoad& load, const NewtonOptions& options, State& q);
 
-  /// State of bilateral linear springs of the given stiffnesses in place of the contacts, gaps
-  /// included. False where the structure is singular even so.
+  /// State of bilateral linear springs of the given stiffnesses in place of the contacts, gaps included. Returns false
+  /// if the structure is still singular.
   bool start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q);
 
-  /// Displacements of the loads on linear springs of the given stiffnesses in place of the
-  /// contacts, each refined to rounding. False where the structure is singular. `near`: the last
-  /// factorization is taken where no stiffness differs from those in it by more than this share.
+  /// Displacements by the loads on linear springs of the given stiffnesses in place of the contacts, each refined to
+  /// rounding. Returns false if the structure is singular. `near`: the last factorization is reused if no stiffness in
+  /// it differs by more than this share.
   bool solve_linear(const std::vector<double>& stiffness, const std::vector<Eigen::VectorXd>& loads,
                     std::vector<Eigen::VectorXd>& displacements, double near = 0.0);
 
-  /// Displacement rate dq/dt at the state `q` for the load rate df/dt = `rate`: tangent x = rate,
-  /// refined until rate'x is known to 1e-11. False where the tangent is singular.
+  /// Displacement rate dq/dt at the state `q` for the load rate df/dt = `rate`: tangent x = rate, refined until rate'x
+  /// is known to 1e-11. Returns false if the tangent is singular.
   bool solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x);
 
  private:

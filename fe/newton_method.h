@@ -5,20 +5,20 @@
 
 namespace fe {
 
-/// Steps of which doubles may shift the tangent, before wider numbers tell whether it is singular
-/// or only seems so.
+/// Largest number of steps with a shifted tangent in doubles, before wider numbers decide whether it is singular or
+/// only seems so.
 inline constexpr int kMostShifted = 8;
 
-/// Relative residual of a state worth going on from; what wrong digits led to may be far away.
+/// Relative residual of a state worth continuing from; a state reached with wrong digits may be far away.
 inline constexpr double kNear = 1e-6;
 
-/// Whether numbers with more digits may find what these did not.
+/// Whether numbers with more digits may converge where these did not.
 inline bool digits_may_help(const NewtonSummary& s) {
   return (s.status == NewtonStatus::line_search_failed || s.status == NewtonStatus::not_positive_definite) &&
          std::isfinite(s.relative_residual);
 }
 
-/// Adds what a solve reached that went on from the last one.
+/// Adds the outcome of a solve that continued from the last one.
 inline void continue_by(NewtonSummary further, NewtonSummary& summary) {
   further.initial_relative_residual = summary.initial_relative_residual;
   further.history.insert(further.history.begin(), summary.history.begin(), summary.history.end());
@@ -79,7 +79,7 @@ class NewtonMethod {
       return summary;
     };
 
-    bool fresh = false;  // whether the factorization is that of the last step's start
+    bool fresh = false;  // whether the factorization was made at the start of the last step
     bool slow = false;   // whether the last step left more than a tenth of the residual
     int shifted = 0, stalls = 0;
     while (summary.iterations() < limit) {
@@ -124,7 +124,7 @@ class NewtonMethod {
       const bool exact = before == 0.0 || options.exact(change, summary.relative_residual, before);
       const auto told = [&] { return numbers_.force_rounding(q) <= options.force_tolerance; };
       if (small && exact) return stop(told() ? NewtonStatus::converged : NewtonStatus::line_search_failed);
-      // Springs at the point of closing leave a fifth of the residual a step.
+      // Springs at the point of closing leave a fifth of the residual per step.
       if (energy_is_rounding && summary.relative_residual > kNoLess * before) ++stalls;
       if (stalls > Numbers::kMostStalls || (stalled && numbers_.residual_is_rounding(q, residual_))) {
         summary.at_rounding = true;
@@ -138,18 +138,17 @@ class NewtonMethod {
  private:
   /// Number of linear solves after which their accuracy is checked.
   static constexpr int kUsualIterations = 20;
-  /// Share of a residual that counts as no decrease: of digits that are lost, not of threads that
-  /// close.
+  /// Share of a residual that counts as no decrease: a sign of lost digits, not of closing threads.
   static constexpr double kNoLess = 0.3;
 
-  /// Changes of the springs' tangents, relative to those in the last factorization, with which a
-  /// step still takes that one: a step costs a twentieth of a factorization of a large model. After
-  /// a step that left much only the same tangent does.
+  /// Largest changes of the springs' tangents, relative to the last factorization, with which a step reuses it: a step
+  /// costs a twentieth of a factorization of a large model. After a step that left much of the residual only the same
+  /// tangent is reused.
   static constexpr double kSimilarTangent = 1e-2, kSameTangent = 1e-6;
-  static constexpr int kFewUnknowns = 800;  ///< Below, a new factorization costs no more than a step.
-  /// A spring with force ~ w^1.5 that has to open, and nothing else at its end, goes from w to w/3,
-  /// which leaves 3^-1.5 = 0.19 of its force; a step of 1.5 times the length ends at zero, a little
-  /// more opens it.
+  /// Number of unknowns below which a new factorization costs no more than a step.
+  static constexpr int kFewUnknowns = 800;
+  /// A spring with force ~ w^1.5 that has to open, and nothing else at its end, goes from w to w/3, which leaves 3^-1.5
+  /// = 0.19 of its force; a step of 1.5 times the length ends at zero, a slightly longer one opens it.
   static constexpr double kLeastLeft = 0.1, kMostLeft = 0.3, kOpeningStep = 1.6;
 
   double relative_residual(const NewtonOptions& options) const {
@@ -195,7 +194,7 @@ class NewtonMethod {
     return false;
   }
 
-  /// Opens springs that the full step to `trial_` leaves closed, where the residual falls by it.
+  /// Opens springs that the full step to `trial_` leaves closed, if the residual falls by that.
   bool step_further(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q, Energy& energy,
                     NewtonIteration& iteration) {
     Numbers::set_to_step(further_, q, kOpeningStep, step_);

@@ -7,7 +7,7 @@ namespace fe {
 
 /// Value, slope and stored energy of a scalar force law at one approach.
 struct SpringResponse {
-  double energy = 0.0;   ///< Stored [J].
+  double energy = 0.0;   ///< Stored energy [J].
   double force = 0.0;    ///< d energy / d approach [N], >= 0.
   double tangent = 0.0;  ///< d force / d approach [N/m], >= 0.
 };
@@ -16,23 +16,22 @@ struct SpringResponse {
 ///
 ///     force = stiffness * <w - gap - series_compliance * force>^1.5
 ///
-/// with w the approach of the two ends [m] and <x> = max(x, 0): Hertz's point contact (Abevi 2015,
-/// (21), with the exponent read as 3/2). The energy is convex in w, so a Newton direction always
-/// descends.
+/// with w the approach of the two ends [m] and <x> = max(x, 0): Hertz's point contact (Abevi 2015, (21), with the
+/// exponent read as 3/2). The energy is convex in w, so a Newton direction always descends.
 ///
-/// The spring in series may take back part of the approach, series_compliance < 0. The law holds
-/// until it takes back half of what the power law adds, 1 + series_compliance d force/dd = 1/2;
-/// from there on the force grows along its tangent.
+/// The spring in series may take back part of the approach, series_compliance < 0. The law holds until half of what the
+/// power law adds is taken back, 1 + series_compliance d force/dd = 1/2; from there on the force grows along its
+/// tangent.
 ///
-/// With an infinite stiffness the spring in series alone is left, a stop with a gap:
-/// force = <w - gap>/series_compliance, series_compliance > 0.
+/// With an infinite stiffness only the spring in series remains, a stop with a gap: force = <w -
+/// gap>/series_compliance, series_compliance > 0.
 struct PowerLawSpring {
   double stiffness = 0.0;          ///< k_0 [N/m^1.5], > 0.
   double gap = 0.0;                ///< Approach at which the ends first touch [m].
   double series_compliance = 0.0;  ///< Linear spring in series, of either sign [m/N].
 };
 
-/// Force of the power law alone, its own approach `d` given: k d^1.5, 1.5 k d^0.5, k d^2.5/2.5.
+/// Force of the power law alone at its own approach `d`: k d^1.5, 1.5 k d^0.5, k d^2.5/2.5.
 inline SpringResponse power_law(double stiffness, double d) {
   if (d <= 0.0) return {};
   const double root = std::sqrt(d);
@@ -57,7 +56,7 @@ inline double law_approach_in_series(const PowerLawSpring& s, double total) {
   for (int i = 0; i < 100; ++i) {
     const double step = (x * x * (1.0 + a * x) - total) / (x * (2.0 + 3.0 * a * x));
     x -= step;
-    if (std::abs(step) <= 1e-9 * x) break;  // its square is beyond rounding
+    if (std::abs(step) <= 1e-9 * x) break;  // the square of this change is below rounding
   }
   return x * x;
 }
@@ -81,7 +80,7 @@ inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   if (s.series_compliance == 0.0) return power_law(s.stiffness, total);
 
   const double largest = largest_deflection(s);
-  // At least 2/3 of it is left of the approach there.
+  // Root there: at least 2/3 of it is the approach of the law.
   if (total > 2.0 / 3.0 * largest) {
     SpringResponse r = response_in_series(s, largest);
     const double beyond = total - (largest + s.series_compliance * r.force);
@@ -92,7 +91,7 @@ inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   return response_in_series(s, law_approach_in_series(s, total));
 }
 
-/// Response of the spring as a function of its net approach w - gap.
+/// The spring with its response as a function of its net approach w - gap.
 inline PowerLawSpring without_gap(PowerLawSpring s) {
   s.gap = 0.0;
   return s;

@@ -4,8 +4,8 @@
 
 namespace fe {
 
-/// A number of 113 binary digits (IEEE 754 binary128), by the compiler's own arithmetic: `long double` of
-/// ARM and WebAssembly; x86, whose `long double` is shorter, has a type of its own.
+/// A number of 113 binary digits (IEEE 754 binary128), by the compiler's own arithmetic: `long double` of ARM and
+/// WebAssembly, a separate type on x86, whose `long double` is shorter.
 #if LDBL_MANT_DIG == 113
 using Quad = long double;
 #else

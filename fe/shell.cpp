@@ -25,7 +25,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kLongestPiece = 0.125;  ///< Over (B/H)^(1/4).
+constexpr double kLongestPiece = 0.125;  ///< Longest piece, over (B/H)^(1/4).
 
 /// Hermite's cubics over (w_1, w_1', w_2, w_2'), 4 Gauss points.
 Eigen::Matrix4d hermite_piece(const OvalRigidity& r, double l) {
@@ -47,7 +47,7 @@ Eigen::Matrix4d hermite_piece(const OvalRigidity& r, double l) {
   return k;
 }
 
-/// Two equal lengths in a row, the node between them eliminated.
+/// Stiffness of two equal lengths in a row, with the node between them eliminated.
 Eigen::Matrix4d hermite_doubled(const Eigen::Matrix4d& k) {
   const Eigen::Matrix2d k11 = k.topLeftCorner<2, 2>(), k12 = k.topRightCorner<2, 2>(),
                         k22 = k.bottomRightCorner<2, 2>();

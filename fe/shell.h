@@ -6,9 +6,8 @@
 
 namespace fe {
 
-/// Stiffness of a uniform length over what deforms it: (u_2 - u_1, v_2 - v_1, theta_2 - theta_1,
-/// (v_1 + v_2)/2, (theta_1 + theta_2)/2), in N/m, N and N m. Axial translation, the only rigid
-/// motion, does not appear.
+/// Stiffness of a uniform length over its deformations: (u_2 - u_1, v_2 - v_1, theta_2 - theta_1, (v_1 + v_2)/2,
+/// (theta_1 + theta_2)/2), in N/m, N and N m. Axial translation, the only rigid motion, does not appear.
 using ShellMatrix = Eigen::Matrix<double, 5, 5>;
 
 ShellMatrix to_matrix(const ShellBlocks<double>& blocks);
@@ -35,8 +34,8 @@ Eigen::Matrix<Real, 6, 1> end_forces(const ShellMatrix& stiffness, const Eigen::
   return {-f[0], half * f[3] - f[1], half * f[4] - f[2], f[0], half * f[3] + f[1], half * f[4] + f[2]};
 }
 
-/// Rigidities of a thin cylinder that goes out of round as w(x) cos(n phi), n >= 2, without
-/// stretching around the axis and without membrane shear. Per length the energy is half of
+/// Rigidities of a thin cylinder that becomes out of round as w(x) cos(n phi), n >= 2, without stretching around the
+/// axis and without membrane shear. Per length the energy is half of
 ///
 ///     B w''^2 - 2 C w w'' + T w'^2 + H w^2.
 struct OvalRigidity {
@@ -59,8 +58,8 @@ struct OvalRigidity {
 /// Plates, 2004, chapters 2 and 5). SI units.
 OvalRigidity oval_tube(int n, double inner, double root, double outer, double modulus, double poisson);
 
-/// Stiffness of a uniform length, u left without any; v is w and theta w'. Cubic polynomials on
-/// pieces of at most an eighth of (B/H)^(1/4), the nodes between them eliminated.
+/// Stiffness of a uniform length, with zeros for u; v is w and theta w'. Cubic polynomials on pieces of at most an
+/// eighth of (B/H)^(1/4), the nodes between them eliminated.
 ShellMatrix stiffness_matrix(const OvalRigidity& wall, double length);
 
 }  // namespace fe

@@ -15,22 +15,22 @@ namespace fe {
 template <class Real>
 struct ShellRigidityOf {
   Real axial{};                 ///< A [N]
-  Real eccentric{};             ///< S [N m], 0 where r_0 is the wall's centre.
+  Real eccentric{};             ///< S [N m], 0 if r_0 is the wall's centre.
   Real bending{};               ///< B [N m^2]
   Real hoop{};                  ///< H [N/m^2]
   Real axial_hoop{};            ///< C, Poisson's effect [N/m]
   Real bending_hoop{};          ///< D [N]
   Real shear{};                 ///< V [N]
-  bool radially_rigid = false;  ///< v = 0 between the nodes; they must be held as well.
+  bool radially_rigid = false;  ///< Whether v = 0 between the nodes; they must be held as well.
 };
 
-/// Stiffness of a uniform length over what deforms it. Its halves mirror each other, so that what
-/// is even there does not see what is odd.
+/// Stiffness of a uniform length over its deformations. Its halves mirror each other, so that even and odd deformations
+/// are uncoupled.
 template <class Real>
 struct ShellBlocks {
-  /// Over (u_2 - u_1, theta_2 - theta_1, (v_1 + v_2)/2), upper triangle row by row.
+  /// Even part, over (u_2 - u_1, theta_2 - theta_1, (v_1 + v_2)/2), upper triangle row by row.
   Real uu{}, ut{}, uv{}, tt{}, tv{}, vv{};
-  /// Over (v_2 - v_1, (theta_1 + theta_2)/2).
+  /// Odd part, over (v_2 - v_1, (theta_1 + theta_2)/2).
   Real dd{}, dm{}, mm{};
 
   bool operator==(const ShellBlocks&) const = default;
@@ -81,11 +81,11 @@ ShellRigidityOf<Real> tube_rigidity(const Real& inner, const Real& outer, const 
 /// Degree of the polynomials of a piece.
 inline constexpr int kShellDegree = 7;
 
-/// One parity of a piece: functions of v and theta by turns, v first where `kVFirst`. Function 0 is
-/// the mean, 1 the difference over the length, k = 2 .. the Legendre polynomials P_k - P_(k-2). At
-/// the degree i of Legendre's series function i has the value 1 (1/2 if it is the difference),
-/// i + 2 the value -1, and i + 1 the slope 2 (2 i + 1)/length (1/length): three functions in a row
-/// meet. u, which has a slope of its own at degrees 1 to 6, is eliminated there.
+/// One parity of a piece: functions of v and theta alternately, v first where `kVFirst`. Function 0 is the mean, 1 the
+/// difference over the length, k = 2 .. the Legendre polynomials P_k - P_(k-2). At the degree i of Legendre's series
+/// function i has the value 1 (1/2 if it is the difference), i + 2 the value -1, and i + 1 the slope 2 (2 i + 1)/length
+/// (1/length): three consecutive functions are coupled. u, which has a slope of its own at degrees 1 to 6, is
+/// eliminated there.
 template <bool kVFirst, class Real>
 class ShellBand {
  public:
@@ -132,7 +132,7 @@ class ShellBand {
     }
   }
 
-  /// Between mean (0) and difference (1).
+  /// Stiffness between mean (0) and difference (1).
   const Real& operator()(int i, int j) const { return k_[i][j - i]; }
   const Real& with_u(int i) const { return u_[i]; }
   const Real& uu() const { return uu_; }
@@ -154,8 +154,8 @@ ShellBlocks<Real> shell_piece(const ShellRigidityOf<Real>& s, const Real& length
           even(0, 0), odd(1, 1),      odd(0, 1),      odd(0, 0)};
 }
 
-/// Two equal lengths in a row, the node between them eliminated: there v is free where the ends
-/// mirror each other, u and theta where they do not.
+/// Two equal lengths in a row with the node between them eliminated: there v is free if the ends mirror each other, u
+/// and theta if they do not.
 template <class Real>
 ShellBlocks<Real> doubled(const ShellBlocks<Real>& k, bool radially_rigid) {
   ShellBlocks<Real> w;

@@ -8,8 +8,8 @@
 
 namespace fe {
 
-/// Upper triangle of a symmetric matrix, compressed by columns, rows ascending in each column.
-/// The pattern is fixed at birth; `value` is refilled in place.
+/// Upper triangle of a symmetric matrix, compressed by columns, rows ascending in each column. The pattern is fixed at
+/// construction; `value` is overwritten in place.
 struct SparseSymmetric {
   std::vector<int> column_start;  ///< size() + 1 entries.
   std::vector<int> row;
@@ -20,16 +20,16 @@ struct SparseSymmetric {
 
 enum class FactorizationStatus { ok, not_positive_definite };
 
-/// Pivots below this share of the largest leave no digit in the solution.
+/// Smallest pivot over the largest: smaller ones leave no correct digit in the solution.
 inline constexpr double kSmallestPivotRatio = 1e-17;
 
-/// Element i of a standard container, for the signed numbers that freedoms and matrices count by.
+/// Element i of a standard container, with the signed indices of freedoms and matrices.
 template <class Container>
 auto& at(Container& c, int i) {
   return c[static_cast<std::size_t>(i)];
 }
 
-/// Places of an upper triangle, in any order, repeated or not.
+/// Positions of an upper triangle, in any order, repeated or not.
 class Places {
  public:
   void add(int i, int j) { places_.push_back({std::min(i, j), std::max(i, j)}); }
@@ -63,14 +63,14 @@ class Places {
   std::vector<Place> places_;
 };
 
-/// Entry order[k] becomes k.
+/// Inverse permutation: entry order[k] becomes k.
 inline std::vector<int> inverse(const std::vector<int>& order) {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) at(place, order[k]) = static_cast<int>(k);
   return place;
 }
 
-/// The pattern with row i at place[i].
+/// The pattern with row i moved to place[i].
 inline SparseSymmetric permuted(const SparseSymmetric& m, const std::vector<int>& place) {
   Places places;
   for (int j = 0; j < m.size(); ++j)

@@ -24,7 +24,7 @@ std::filesystem::path own_folder() {
 void* open(const char* file) {
   const std::filesystem::path own = own_folder();
   std::error_code none;
-  if (!own.empty())  // Else the folders would be those below the working directory.
+  if (!own.empty())  // Without it the folders below the working directory would be searched.
     for (const char* folder : {"", "lib/prs", "../lib/prs", "../../lib/prs"})
       if (const auto path = (own / folder / file).lexically_normal(); std::filesystem::exists(path, none))
         return dlopen(path.c_str(), RTLD_NOW);
@@ -42,7 +42,7 @@ const Module& load(const Name& name) {
       throw Missing(
           fmt::format("this needs {0}, and {1} is not next to the program; install {2} and build prs again{3}",
                       name.library, name.file, name.package, name.alternative));
-    // The loader's words for a library of the module that the system does not have.
+    // Message of the loader if the system lacks a library of the module.
     if (const auto end = error.find(": cannot open shared object file"); end != error.npos)
       throw Missing(
           fmt::format("this needs {0}, and {1} is not installed; install {0}, on Debian by `apt "

@@ -2,7 +2,7 @@
 
 #include "modules/module.h"
 
-/// Modules of a program without shared objects, which has none.
+/// Replaces modules in a program without shared objects: all are missing.
 namespace modules {
 
 const Module& load(const Name& name) {

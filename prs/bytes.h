@@ -9,7 +9,7 @@
 
 namespace prs {
 
-/// Numbers in this machine's order of bytes, texts behind their length.
+/// Appends numbers in this machine's order of bytes, and texts after their length.
 inline void put(std::string& bytes, std::uint64_t number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
@@ -24,8 +24,7 @@ inline void put(std::string& bytes, std::span<const std::string> texts) {
   for (const std::string& text : texts) put(bytes, text);
 }
 
-/// Takes values from bytes that may not be what they should; past their end all is zero and `good`
-/// false.
+/// Reads values from untrusted bytes; past their end all is zero and `good` false.
 class Cursor {
  public:
   explicit Cursor(std::string_view bytes) : bytes_(bytes) {}

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-/// `symbol()`: the content of a file, which the assembler copies between two symbols. Its path counts
-/// from the root of the sources.
+/// Defines `symbol()`: the content of a file, which the assembler copies between two symbols. Its path is relative to
+/// the root of the sources.
 #define PRS_EMBED(symbol, file)                        \
   asm(".pushsection .rodata\n"                         \
       ".globl prs_embedded_" #symbol                   \

@@ -26,7 +26,7 @@ class FileDescriptor {
   int get() const { return number_; }
   bool is_open() const { return number_ >= 0; }
 
-  /// 0, or the error that the system held back until now.
+  /// Closes the file; returns 0, or a delayed error of the system.
   int close() {
     const int number = std::exchange(number_, -1);
     return number < 0 || ::close(number) == 0 ? 0 : errno;
@@ -36,7 +36,7 @@ class FileDescriptor {
   int number_;
 };
 
-/// Writes all of it; 0, or why that did not work.
+/// Writes all bytes; returns 0, or the error.
 inline int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -52,27 +52,25 @@ inline int write_all(const FileDescriptor& file, std::string_view bytes) { retur
 
 inline constexpr std::string_view kFolder = "a folder";
 
-/// Kind of an entry at `path` (relative to `folder`) that is no regular file: "a symbolic link", "a pipe", `kFolder`.
-/// Empty where there is a regular file or nothing.
+/// Kind of an entry at `path` (relative to `folder`) that is not a regular file: "a symbolic link", "a pipe",
+/// `kFolder`. Empty for a regular file or no entry.
 std::string_view obstacle_at(const char* path, int folder = AT_FDCWD);
 
-/// A regular file that was opened, or why there is none.
+/// An opened regular file, or the reason why there is none.
 struct RegularFile {
   FileDescriptor file;
-  int error = 0;              ///< System's error number; 0 where the file is open.
+  int error = 0;              ///< System's error number; 0 if the file is open.
   std::string_view obstacle;  ///< See `obstacle_at`.
 };
 
-/// Opens `path`, of `folder` where it is relative, as ::openat does, but nothing other than a
-/// regular file: a symbolic link at the end of the path is not followed, a pipe not waited for.
+/// Opens `path`, relative to `folder`, like ::openat, but only a regular file: a symbolic link at the end of the path
+/// is not followed, a pipe not waited for.
 RegularFile open_regular(const char* path, int flags, mode_t mode = 0, int folder = AT_FDCWD);
 
-/// Throws std::system_error if `error`, of a file that could not be opened, says that the machine lacks descriptors
-/// or memory.
+/// Throws std::system_error if `error`, from opening a file, means that the machine lacks descriptors or memory.
 void throw_if_scarce(int error, const std::string& path);
 
-/// All bytes of an open file from its beginning, absent where it has more than `most` or cannot be
-/// read.
+/// All bytes of an open file from its beginning; absent if it has more than `most` or cannot be read.
 std::optional<std::string> content_of(const FileDescriptor& file, std::size_t most);
 
 }  // namespace prs

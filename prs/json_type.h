@@ -4,7 +4,7 @@
 
 namespace prs {
 
-/// Documents keep the order of their keys.
+/// Type of documents, which keeps the order of their keys.
 using Json = nlohmann::ordered_json;
 
 }  // namespace prs

@@ -24,13 +24,13 @@ std::uint32_t code_point(std::string_view sequence) {
 
 bool is_between(std::uint32_t code, std::uint32_t first, std::uint32_t last) { return first <= code && code <= last; }
 
-/// C0, DELETE, C1, and the separators of lines and paragraphs.
+/// Whether a code point is C0, DELETE, C1, or a separator of lines or paragraphs.
 bool is_control(std::uint32_t code) {
   return code < 0x20 || is_between(code, 0x7F, 0x9F) || is_between(code, 0x2028, 0x2029);
 }
 
-/// Marks and controls of writing direction, joiners and spaces without width, tags, byte order
-/// marks (Unicode 15, general category Cf but for the soft hyphen and signs of scripts), and
+/// Whether a code point is invisible or reserved: marks and controls of writing direction, joiners and spaces without
+/// width, tags, byte order marks (Unicode 15, general category Cf without the soft hyphen and signs of scripts), and
 /// noncharacters, which XML does not allow.
 bool is_hidden(std::uint32_t code) {
   return code == 0x061C || code == 0x180E || is_between(code, 0x200B, 0x200F) || is_between(code, 0x202A, 0x202E) ||
@@ -81,7 +81,7 @@ std::size_t sequence_length(std::string_view text) {
 
 bool is_plain_lines(std::string_view text) noexcept {
   const auto others = [](std::string_view part) {
-    unsigned char any = 0;  // To the end of the part: compilers look at many characters at once.
+    unsigned char any = 0;  // Without an early exit: compilers then process many characters at once.
     for (const char c : part) any |= static_cast<unsigned char>((c < 0x20 && c != '\n') || c == 0x7F);
     return any;
   };
@@ -110,7 +110,7 @@ std::string printable_json(std::string json) {
   if (is_plain_lines(json)) return json;
   return rewritten(json, [](std::string& result, std::string_view sequence) {
     const std::uint32_t code = code_point(sequence);
-    // Blanks between values are plain; within strings JSON has no other control characters.
+    // Blanks between values stay; within strings JSON has no other control characters.
     if (code < 0x20 || !(is_control(code) || is_hidden(code)))
       result += sequence;
     else if (code < 0x10000)

@@ -2,11 +2,10 @@
 
 #include <xsimd/xsimd.hpp>
 
-/// Instruction sets that one binary holds side by side; `simd::run_kernel` takes one of them at run time.
+/// Instruction sets in one binary; `simd::run_kernel` selects one at run time.
 ///
-/// A kernel is a function object with `template <class Arch> R operator()(Arch, ...) const`, in a
-/// header that an own source file for each instruction set instantiates (see add_simd_kernel in
-/// cmake/kernels.cmake).
+/// A kernel is a function object with `template <class Arch> R operator()(Arch, ...) const`, in a header that a
+/// separate source file for each instruction set instantiates (see add_simd_kernel in cmake/kernels.cmake).
 namespace simd {
 
 #if defined(__x86_64__)
@@ -19,7 +18,7 @@ using Baseline = xsimd::default_arch;
 using Architectures = xsimd::arch_list<Baseline>;
 #endif
 
-/// Numbers in the widest batch: arrays for kernels are filled up to a multiple of it.
+/// Size of the widest batch: arrays for kernels are padded to a multiple of it.
 inline constexpr int kWidest = 8;
 
 }  // namespace simd

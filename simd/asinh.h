@@ -7,12 +7,11 @@
 
 namespace simd {
 
-/// asinh(x) of a batch of numbers x >= 0, to 1e-15 relative: of u = x + sqrt(1 + x^2) = 2^k m with
-/// m next to 1,
+/// asinh(x) for a batch of numbers x >= 0, accurate to 1e-15 relative: with u = x + sqrt(1 + x^2) = 2^k m and m near 1,
 ///
-///     asinh x = k ln 2 + 2 artanh(s),   s = (m - 1)/(m + 1), or x/(1 + sqrt(1 + x^2)) where k = 0,
+///     asinh x = k ln 2 + 2 artanh(s),   s = (m - 1)/(m + 1), or x/(1 + sqrt(1 + x^2)) for k = 0,
 ///
-/// and the polynomial for the rest of artanh that fdlibm's logarithm has (Sun Microsystems 1993).
+/// and for the remainder of artanh the polynomial of fdlibm's logarithm (Sun Microsystems 1993).
 template <class Arch>
 [[gnu::always_inline]] inline xsimd::batch<double, Arch> asinh_of_positive(const xsimd::batch<double, Arch>& x,
                                                                            const xsimd::batch<double, Arch>& root) {

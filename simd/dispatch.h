@@ -7,8 +7,8 @@
 
 namespace simd {
 
-/// Result of a kernel (see simd/architectures.h), run with the instruction set asked for or the best below it that is
-/// available.
+/// Runs a kernel (see simd/architectures.h) with the requested instruction set or the best available below it, and
+/// returns its result.
 template <class Kernel, class... Arguments>
 auto run_kernel(InstructionSet set, Kernel kernel, Arguments&&... arguments) {
   switch (taken(set)) {

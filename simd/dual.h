@@ -6,7 +6,7 @@
 /// over a number give both (forward differentiation).
 namespace simd {
 
-/// Always inline: kernels for one instruction set leave no copy behind that others would run.
+/// Always inlined: kernels for one instruction set then leave no copy that others would run.
 template <class Real>
 struct Dual {
   Real value{};
@@ -43,7 +43,7 @@ struct Dual {
   [[gnu::always_inline]] friend auto operator<(const Dual& x, const Dual& y) { return x.value < y.value; }
 };
 
-/// The number in a number with or without its slope.
+/// Value of a number with or without its slope.
 template <class Real>
 [[gnu::always_inline]] inline const Real& value(const Real& x) {
   return x;
@@ -63,7 +63,7 @@ template <class Real>
 [[gnu::always_inline]] inline Dual<Real> abs(const Dual<Real>& x) {
   return select<Real>(x.value < Real(0.0), -x, x);
 }
-/// Its slope has no meaning at 0.
+/// Slope undefined at 0.
 template <class Real>
 [[gnu::always_inline]] inline Dual<Real> sqrt(const Dual<Real>& x) {
   const Real root = sqrt(x.value);
@@ -92,7 +92,7 @@ Batch asinh_of_positive(const Batch& x);
 template <class Batch>
 Dual<Batch> asinh_of_positive(const Dual<Batch>& x);
 
-/// x^p of x >= 0 and a constant p.
+/// x^p for x >= 0 and a constant p.
 [[gnu::always_inline]] inline double power(double x, double p) { return __builtin_pow(x, p); }
 template <class Batch>
 requires requires(Batch x) { pow(x, x); }

@@ -20,7 +20,7 @@ bool processor_has() {
 }
 #endif
 
-/// Whether this binary and the processor have it, whatever the environment allows.
+/// Whether this binary and the processor have it, regardless of the environment.
 bool is_here(InstructionSet set) {
   switch (set) {
 #if defined(__x86_64__)

@@ -8,16 +8,16 @@
 #include <type_traits>
 #include <utility>
 
-/// Arithmetic that reads alike for a number and for a batch of numbers: what xsimd has for batches,
-/// for single numbers. Formulas are templates over `Real`, which is either.
+/// Arithmetic with the same names for a number and for a batch of numbers: functions of xsimd for batches, for single
+/// numbers. Formulas are templates over `Real`, which is either.
 
 namespace simd {
 
-/// Yes or no for each number of a batch.
+/// Boolean for each number of a batch.
 template <class Real>
 using Lanes = decltype(Real() < Real());
 
-/// Numbers side by side in a batch.
+/// Number of values in a batch.
 template <class Real>
 inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 
@@ -44,7 +44,7 @@ template <class Enum>
 requires std::is_enum_v<Enum>
 [[gnu::always_inline]] inline Enum select(bool condition, Enum a, Enum b) { return condition ? a : b; }
 
-/// An enum in each lane of a batch, in place of a number there.
+/// An enum in each lane of a batch, in place of a number.
 template <class Enum, class Real>
 class EnumLanes {
  public:
@@ -64,7 +64,7 @@ class EnumLanes {
   Real bits_{};
 };
 
-/// Enums that go into lanes are as wide as a number: `enum class Status : std::int64_t`.
+/// Enums in lanes are as wide as a number: `enum class Status : std::int64_t`.
 template <class Enum, class Real>
 using EnumOf = std::conditional_t<std::is_same_v<Real, double>, Enum, EnumLanes<Enum, Real>>;
 
@@ -80,10 +80,9 @@ template <class Of>
   }
 }
 
-/// Structures of numbers against structures of batches, one structure per lane. `Of` consists of
-/// batches alone, `One` of as many numbers in the same order.
+/// Loads the first `size` structures of `values`, one per lane; lanes beyond `size` get the last one. Here and below,
+/// `Of` consists of batches only, `One` of as many numbers in the same order.
 
-/// The first `size` structures of `values`, one per lane; lanes beyond `size` hold the last one.
 template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
 [[gnu::always_inline]] inline Of side_by_side(const One* values, std::size_t size) {
   constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
@@ -127,7 +126,7 @@ template <class Batch, class Of>
   std::memcpy(static_cast<void*>(&to), b, sizeof b);
 }
 
-/// The other way round.
+/// Stores the lanes into structures.
 template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
 [[gnu::always_inline]] inline void deliver(const Of& batches, One* values, std::size_t size) {
   constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);

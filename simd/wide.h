@@ -4,7 +4,7 @@
 
 namespace simd {
 
-/// x y + z, rounded once, on processors that have it; xsimd 8 rounds twice with AVX-512.
+/// x y + z, rounded once, on processors with fused multiply-add; xsimd 8 rounds twice with AVX-512.
 template <class Real>
 [[gnu::always_inline]] inline Real fused(const Real& x, const Real& y, const Real& z) {
   double a[kLanes<Real>], b[kLanes<Real>], c[kLanes<Real>];
@@ -17,8 +17,8 @@ template <class Real>
   return result;
 }
 
-/// An unevaluated sum of two numbers, of about 106 bits, for a number or a batch of numbers
-/// (Dekker, Numer. Math. 18, 1971). For differences of numbers that hardly differ.
+/// An unevaluated sum of two numbers, of about 106 bits, for a number or a batch of numbers (Dekker, Numer. Math. 18,
+/// 1971). Used for differences of nearly equal numbers.
 template <class Real>
 struct Wide {
   Real head{};
@@ -46,7 +46,7 @@ struct Wide {
     const Wide heads = product(head, other.head);
     return joined(heads.head, heads.tail + (head * other.tail + tail * other.head));
   }
-  /// Times a power of two.
+  /// Product with a power of two.
   Wide scaled(double power) const { return {head * power, tail * power}; }
   Wide inverse() const {
     const Wide guess(1.0 / head);

@@ -4,10 +4,10 @@
 #include "prs/validation/validate.h"
 #include "prs/version.h"
 
-// What the code of each source adds to its `reference.yaml`.
+// Code that adds to the `reference.yaml` of each source.
 
 namespace prs {
-/// The code of all sources; of those that a light program leaves out, the folder alone.
+/// Code of all sources; for those that a light program omits, only the folder.
 std::vector<SourceExtension> extensions();
 
 /// A source's formulas for diameters of the user: `prs validate --recipe`. Returns the exit status.
@@ -21,17 +21,15 @@ namespace prs::abevi_2015 {
 /// The statements in words.
 SourceExtension extension();
 
-/// Every statement that Abevi et al. 2015 make in words about their screw, compared with its
-/// solutions: CONFIG 1 to 3, tension and compression, flexible and rigid rollers, loads up to 45
-/// kN, for the guidance of the paper and its alternatives. `screw` is the paper's screw; its load
-/// cases are not used.
+/// Statements of Abevi et al. 2015 in words about their screw, compared with its solutions: CONFIG 1 to 3, tension and
+/// compression, flexible and rigid rollers, loads up to 45 kN, for the guidance of the paper and its alternatives.
+/// `screw` is the paper's screw; its load cases are not used.
 std::vector<ComparedStatement> compare_statements(const Case& screw, const Reference& paper);
 }  // namespace prs::abevi_2015
 
 namespace prs::jung_2017 {
-/// Table 7.1 by the recipe as printed, table A1 by elliptic integrals, table 8.1 and the design
-/// points of tables 8.2 to 8.5; also both cases by the right formulas, what a thread's
-/// compliance consists of, and the fits (7.8) to (7.13).
+/// Table 7.1 by the recipe as printed, table A1 by elliptic integrals, table 8.1 and the design points of tables 8.2
+/// to 8.5; also both cases by the right formulas, the parts of a thread's compliance, and the fits (7.8) to (7.13).
 SourceExtension extension();
 }  // namespace prs::jung_2017
 
@@ -42,20 +40,20 @@ SourceExtension extension();
 }  // namespace prs::reference_fe
 
 namespace prs::sandu_2018 {
-/// Quantities that the JSON document does not hold; the error of the ellipticity approximations of
-/// table 1.5; the statements of chapters 2 and 3 on the reference example of table 3.2.
+/// Quantities that the JSON document lacks; the error of the ellipticity approximations of table 1.5; the statements of
+/// chapters 2 and 3 on the reference example of table 3.2.
 SourceExtension extension();
 }  // namespace prs::sandu_2018
 
 namespace prs::standard_screws {
-/// 24 screws of a maker's catalogue, each completed by the rules of `complete_screw`: ratios
-/// of the computed to the printed weights, inertias and capacities, and how capacities depend on
-/// the lead, with two profile radii of the rollers.
+/// 24 screws of a maker's catalogue, each completed by the rules of `complete_screw`: ratios of the computed to the
+/// printed weights, inertias and capacities, and the dependence of capacities on the lead, with two profile radii of
+/// the rollers.
 SourceExtension extension();
 }  // namespace prs::standard_screws
 
 namespace prs::yao_2023 {
-/// Quantities of tables 1 and 2 that the JSON document does not hold, and how far the printed
-/// contact points of the two parts lie from each other.
+/// Quantities of tables 1 and 2 that the JSON document lacks, and the distance between the printed contact points of
+/// the two parts.
 SourceExtension extension();
 }  // namespace prs::yao_2023

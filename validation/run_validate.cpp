@@ -14,7 +14,7 @@ using namespace prs::cli;
 
 using Options = ValidateOptions;
 
-/// The document, and below the name of each source what its code wrote and drew.
+/// Writes the document, and below the name of each source the files and figures of its code.
 void write(const std::vector<prs::SourceReport>& reports, const std::string& document, const Options& options) {
   prs::write_files(*options.output, {{"validation.json", document}});
   for (const prs::SourceReport& source : reports) {

@@ -2,8 +2,7 @@
 
 #include "prs/engine/engine.h"
 
-/// `prs::answer` for JavaScript: a question of UTF-8, ended by a zero. The answer is valid until
-/// the next question.
+/// `prs::answer` for JavaScript: a question in UTF-8, zero-terminated. The answer is valid until the next question.
 extern "C" __attribute__((export_name("prs_answer"))) const char* prs_answer(const char* question) {
   static std::string answer;
   answer.clear();

@@ -2,7 +2,7 @@
 
 #include "prs/study/study_run.h"
 
-/// Runs side by side, of a module that has one thread.
+/// Parallel runs for a module that has one thread.
 namespace prs {
 
 std::size_t default_threads() { return 1; }

@@ -3,7 +3,7 @@
 #include "modules/fit/fit.h"
 #include "prs/optimize/optimize_files.h"
 
-/// What a fit takes of studies. Its module is missing here before anything of this is called.
+/// Study functions used by a fit. Its module is missing here, so that they are never called.
 namespace prs {
 
 namespace {

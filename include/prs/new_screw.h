@@ -1,4 +1,4 @@
 #pragma once
 
-// A complete case from what a catalogue prints.
+// Complete cases from the data of catalogues.
 #include "prs/configurations/configurations.h"

@@ -1,4 +1,4 @@
 #pragma once
 
-// The answer to a case: loads, pressures, displacement and stiffness of each load case; SI units.
+// Results of a case: loads, pressures, displacement and stiffness of each load case; SI units.
 #include "prs/loads/result.h"

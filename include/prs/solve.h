@@ -1,4 +1,4 @@
 #pragma once
 
-// From a case to the load of every thread: `prs::analyze`.
+// Loads of every thread of a case: `prs::analyze`.
 #include "prs/loads/analyze.h"

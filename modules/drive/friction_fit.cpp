@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 10;
 
-/// Least squares with no coefficient below 0: the best of all choices of columns.
+/// Least squares with coefficients >= 0: the best of all choices of columns.
 Eigen::Vector3d fitted_above_zero(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
   Eigen::Vector3d best = Eigen::Vector3d::Zero();
   double least = y.squaredNorm();
@@ -46,7 +46,7 @@ FrictionFit fit_friction(const PrsCurves& curves, double largest_force, double s
         columns.row(row) << 1.0, std::abs(force), std::abs(turning * r);
         y(row++) = std::abs(prs_friction_torque(&curves, force, turning, sigma) / r);
       }
-  // Columns of one size.
+  // Scales that give columns of similar size.
   const Eigen::Vector3d size(1.0, largest_force, std::abs(speed * r));
   for (Eigen::Index k = 0; k < 3; ++k) columns.col(k) /= size(k);
   const Eigen::Vector3d p = fitted_above_zero(columns, y);

@@ -20,8 +20,7 @@ double integral(const PrsView points[PRS_POINTS], const Value& value) {
   return sum * (points[PRS_POINTS - 1].t - points[0].t);
 }
 
-/// The same where the points stand evenly in the root of the time from `anchor`, at which what is
-/// integrated has a root.
+/// Quadrature with points evenly spaced in the root of the time since `anchor`, at which the integrand has a root.
 template <class Value>
 double integral_in_root(double anchor, const PrsView points[PRS_POINTS], const Value& value) {
   const auto root = [&](int k) { return std::sqrt(std::abs(points[k].t - anchor)); };
@@ -30,7 +29,7 @@ double integral_in_root(double anchor, const PrsView points[PRS_POINTS], const V
   return sum * std::abs(root(PRS_POINTS - 1) - root(0));
 }
 
-/// Mass that a closing flank stops.
+/// Effective mass that a closing flank stops.
 double reduced_mass(const PrsDrive& d, double reach) {
   if (d.coupled == 0 && d.by == PRS_BY_SPEED) return d.mass;
   const double turning = (d.screw_inertia + (d.coupled != 0 ? 0.0 : d.motor_inertia)) / (reach * reach);
@@ -131,7 +130,7 @@ double Recorder::magnitude(double (*power)(const PrsView&), const PrsView points
       middle = 0.5 * (from + to);
       ((power(at(middle)) < 0.0) == negative ? from : to) = middle;
     }
-    // Each part has one sign, but for a hair.
+    // Each part has one sign, up to rounding.
     depth = 12;
   }
   double sum = 0.0;
@@ -176,7 +175,7 @@ void Recorder::step(const PrsView points[PRS_POINTS]) {
   DriveResult& r = result_;
   const PrsDrive& d = run_.drive;
   const double from = points[0].t, to = points[PRS_POINTS - 1].t;
-  // Behind a closing flank force and damping begin with the root of the time; a lifted one opens likewise.
+  // After a flank closes, force and damping begin with the root of the time; a lifted one opens in the same way.
   const bool opens = core_.state.modes.lifted != 0, roots = opens || from - closed_ < 8.0 * (to - from);
   const double anchor = opens ? to : closed_;
   PrsView even[PRS_POINTS];

@@ -6,9 +6,9 @@
 
 namespace prs {
 
-/// Takes samples, energies and extremes off the steps of a run. Energies are integrals over each step
-/// by Lobatto's rule of five points, of magnitudes split where their sign changes; extremes inside of a
-/// step are refined on the integrator's own curve.
+/// Collects samples, energies and extremes from the steps of a run. Energies are integrals over each step by Lobatto's
+/// rule of five points, of magnitudes split at changes of sign; extremes inside a step are refined on the integrator's
+/// own curve.
 class Recorder {
  public:
   Recorder(const DriveRun& run, PrsRun& core, const PrsStepper& stepper, DriveResult& result);
@@ -39,7 +39,7 @@ class Recorder {
   const PrsStepper& stepper_;
   DriveResult& result_;
   double follow_until_, reduced_mass_;
-  double closed_ = -HUGE_VAL;  ///< When a flank closed last.
+  double closed_ = -HUGE_VAL;  ///< Time of the last closing of a flank.
   DrivePeak peaks_[kAll];
 };
 

@@ -8,7 +8,7 @@
 
 namespace prs {
 
-/// What is integrated, all SI.
+/// Input of an integration, in SI units.
 struct DriveRun {
   PrsDrive drive;
   PrsSignals signals;
@@ -34,7 +34,7 @@ struct DriveImpact {
 
 enum class DriveStatus { converged, step_limit, integration_failed, left_shaft };
 
-/// Series have a value per sample.
+/// Results of a run; series have one value per sample.
 struct DriveResult {
   DriveStatus status = DriveStatus::integration_failed;
   double stopped_at = 0.0, position = 0.0;
@@ -45,13 +45,13 @@ struct DriveResult {
   double coupling = 0.0, contact = 0.0, end_stop = 0.0, viscous = 0.0;
   DrivePeak tension, compression, torque, stop, error;
   double lost_motion = 0.0, torque_squared = 0.0, error_squared = 0.0;
-  double largest_force = 0.0, largest_speed = 0.0;  ///< Magnitudes at the screw.
+  double largest_force = 0.0, largest_speed = 0.0;  ///< Largest magnitudes at the screw.
   double fastest = 0.0;                             ///< Bound of the frequency of vibrations [rad/s].
   double last_reference = 0.0;                      ///< Last reference of the controller, before a jump at the end.
   std::vector<DriveImpact> impacts;
 };
 
-/// The drive over time, by CVODE of SUNDIALS.
+/// Integration of the drive over time, by CVODE of SUNDIALS.
 struct ResponseModule : modules::Module {
   static constexpr modules::Name kName{"prs_sundials.so", "SUNDIALS", "libsundials-dev", ""};
 

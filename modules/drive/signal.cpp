@@ -15,7 +15,7 @@ const std::vector<SignalForm::Point>* places_of(const SignalForm& term) {
   return term.steps ? &*term.steps : term.points ? &*term.points : nullptr;
 }
 
-/// mean + amplitude sin(2 pi n) by n, n' and n''.
+/// Value, slope and curvature of mean + amplitude sin(2 pi n) from n, n' and n''.
 BoundSignal::Value wave(double mean, double amplitude, double n, double rate, double bend) {
   const double s = std::sin(kTurn * n), c = std::cos(kTurn * n), w = kTurn * rate;
   return {mean + amplitude * s, amplitude * w * c, amplitude * (kTurn * bend * c - w * w * s)};

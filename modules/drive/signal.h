@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// A value over time: a constant or one of the forms, SI.
+/// A value over time: a constant or one of the other forms, SI units.
 struct SignalForm {
   struct Point {
     double at = 0.0, value = 0.0;
@@ -20,7 +20,7 @@ struct SignalForm {
     Spacing spacing = Spacing::logarithmic;
   };
 
-  double constant = 0.0;  ///< NaN of a map without a form.
+  double constant = 0.0;  ///< NaN for a map without a form.
   std::optional<std::vector<Point>> steps, points;
   std::optional<Sine> sine;
   std::optional<Sweep> sweep;
@@ -28,7 +28,7 @@ struct SignalForm {
   bool has_form() const { return steps || points || sine || sweep; }
 };
 
-/// The sum of some for times from `bind` on up to `next`: a jump belongs to what follows it.
+/// Sum of several signals, valid for times from `bind` on up to `next`: a jump belongs to the later times.
 class BoundSignal {
  public:
   struct Value {
@@ -39,7 +39,7 @@ class BoundSignal {
 
   void bind(double t);
   Value at(double t) const;
-  /// The place behind t at which the signal may jump or bend; infinity where there is none.
+  /// First time after t at which the signal may jump or bend; infinity if there is none.
   double next(double t) const;
   double fastest() const;  ///< Highest frequency [Hz]
 

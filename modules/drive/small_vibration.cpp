@@ -9,12 +9,12 @@
 namespace prs {
 namespace {
 
-/// A square matrix of at most `most` rows. The bound spares the compiler Eigen's code for large
-/// matrices, which would be most of its work here.
+/// A square matrix of at most `most` rows. The bound avoids the compilation of Eigen's code for large matrices, which
+/// would take most of the time.
 template <typename Number, int most>
 using AtMost = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
-/// M q'' + D q' + A q about the working point; q = (x, phi, phi_M) as far as free.
+/// Matrices of M q'' + D q' + A q about the working point; q = (x, phi, phi_M) without held ones.
 struct SmallVibration {
   AtMost<double, 3> mass, damping, stiffness;
 };
@@ -61,7 +61,7 @@ std::vector<Resonance> resonances_of(const SmallVibration& v) {
     first.row(n + k).head(n) = -v.stiffness.row(k) / v.mass(k, k);
     first.row(n + k).tail(n) = -v.damping.row(k) / v.mass(k, k);
   }
-  // Rates and displacements of one size.
+  // Scale that makes rates and displacements of similar size.
   const double w = std::sqrt(std::max(first.bottomLeftCorner(n, n).norm(), 1e-300));
   first.topRightCorner(n, n) *= w;
   first.bottomLeftCorner(n, n) /= w;

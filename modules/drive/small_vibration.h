@@ -12,24 +12,24 @@ struct Resonance {
   double damping = 0.0;    ///< -Re lambda/|lambda|
 };
 
-/// About what a drive vibrates, and what swings.
+/// State about which a drive vibrates, and its excitation.
 struct WorkingPoint {
   double force = 0.0;      ///< [N]
   double position = 0.0;   ///< [m]
   double speed = 0.0;      ///< Speed of a rolling screw [rad/s]; 0: held
-  bool of_torque = false;  ///< The motor's torque swings, else a force on the load.
+  bool of_torque = false;  ///< Whether the motor's torque is varied, else a force on the load.
 };
 
-/// Small vibration; compliance and stiffness of a force, the others of a motor torque.
+/// Small vibration; compliance and stiffness for a force, the others for a motor torque.
 struct FrequencyResponse {
   bool of_torque = false;
-  double tangent_stiffness = 0.0;  ///< 0 where flanks do not touch
+  double tangent_stiffness = 0.0;  ///< 0 if flanks do not touch.
   std::vector<double> frequency = {}, compliance = {}, phase = {}, stiffness = {};
   std::vector<double> motor_speed = {}, motor_speed_phase = {}, position = {}, position_phase = {};
   std::vector<Resonance> resonances = {};
 };
 
-/// (A - w^2 M + i w D) X = input at each frequency [Hz].
+/// Solution of (A - w^2 M + i w D) X = input at each frequency [Hz].
 FrequencyResponse small_vibration(const PrsDrive& drive, const WorkingPoint& point, std::vector<double> frequency);
 
 }  // namespace prs

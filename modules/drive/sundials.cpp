@@ -14,21 +14,22 @@
 namespace prs {
 namespace {
 
-constexpr double kShare = 0.005;  ///< Errors of steps add up; this keeps their sum at the tolerance.
+/// Share of the tolerance per step, which keeps the sum of the errors of steps within it.
+constexpr double kShare = 0.005;
 
-/// The longest step that sees each sine of the signals.
+/// The longest step that resolves each sine of the signals.
 double largest_step(const DriveRun& run) {
   const double share = 0.05 * run.duration;
   return run.fastest > 0.0 ? std::min(share, 0.05 / run.fastest) : share;
 }
 
-/// Errors count from the largest value that each state has had.
+/// Scales errors by the largest value that each state has had.
 template <class Values>
 void grow(double scales[PRS_STATES], const Values& values) {
   for (int k = 0; k < PRS_STATES; ++k) scales[k] = std::max(scales[k], std::abs(values[k]));
 }
 
-/// The method of order 8 that units bring too, for what is not stiff.
+/// Method of order 8, also used in exported units, for problems that are not stiff.
 class Explicit {
  public:
   Explicit(const DriveRun& run, PrsRun& core) {
@@ -52,7 +53,7 @@ class Explicit {
   PrsStepper plain_{};
 };
 
-/// Whether something dies away much faster than it vibrates.
+/// Whether something decays much faster than it vibrates.
 bool is_stiff(const DriveRun& run, const PrsRun& core) {
   const PrsDrive& d = run.drive;
   const double fastest = prs_fastest(&core);
@@ -138,7 +139,7 @@ class Cvode {
     return 1;
   }
   void at(double t, double* y) {
-    if (t == reached_) {  // As it came out of the step.
+    if (t == reached_) {  // State at the end of the step, without interpolation.
       std::copy_n(N_VGetArrayPointer(y_), PRS_STATES, y);
       return;
     }

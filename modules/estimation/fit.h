@@ -7,12 +7,12 @@
 
 #include "modules/module.h"
 
-/// Estimates unknowns of any function from readings, with their uncertainty: docs/fit.md. Plain
-/// vectors in and out; what the function computes is the caller's.
+/// Estimation of unknowns of any function from readings, with their uncertainty: docs/fit.md. Plain vectors in and out;
+/// the caller provides the function.
 namespace modules::fit {
 
-/// Its value, or with `is_log` the value's logarithm, is linear in z from 0 at `from` to 1 at `to`.
-/// All numbers here and in results are those of the value; intervals of logarithms are exponentials,
+/// An unknown of the function. Its value, or with `is_log` the value's logarithm, is linear in z from 0 at `from` to 1
+/// at `to`. All numbers here and in results are those of the value; intervals of logarithms are exponentials,
 /// deviations those of the logarithm times the value.
 struct Unknown {
   double from = 0.0, to = 1.0, start = 0.0;
@@ -21,7 +21,8 @@ struct Unknown {
     double mean = 0.0, deviation = 1.0;
   };
   std::optional<Prior> prior = {};
-  bool is_offset = false;  ///< Adds to the curve that names it: no input of the function.
+  /// Whether it is added to the curve that names it instead of being an input of the function.
+  bool is_offset = false;
   bool is_log = false;
 };
 
@@ -41,7 +42,7 @@ struct Curve {
   std::vector<double> measured = {};
   std::vector<double> deviation = {};  ///< Standard deviation of each reading; empty: estimated.
   Loss loss = {};
-  std::optional<std::size_t> offset = {};  ///< Index of the unknown; of `compare` no unknown.
+  std::optional<std::size_t> offset = {};  ///< Index of the unknown; for `compare` not an unknown.
   bool has_free_mean = false;              ///< `compare` with an offset.
 };
 
@@ -51,16 +52,16 @@ struct Failure {
   bool is_refused = false;
 };
 
-/// What is asked for: values of the unknowns, and of which curves.
+/// Request for values of some curves at values of the unknowns.
 struct Request {
   std::vector<double> values;
   std::vector<bool> curves;
 };
 struct Answer {
-  std::vector<std::vector<double>> values;  ///< Values of each curve that was asked for.
+  std::vector<std::vector<double>> values;  ///< Values of each requested curve.
   std::optional<Failure> failure = {};
 };
-/// Answers of all requests, side by side.
+/// Function that answers all requests, side by side.
 using Evaluate = std::function<std::vector<Answer>(const std::vector<Request>&)>;
 
 struct Problem {
@@ -72,7 +73,7 @@ struct Problem {
   std::vector<std::size_t> profile = {};
 };
 
-/// The worst comes first.
+/// Outcome, the worst first.
 enum class Status { no_equilibrium, not_identifiable, no_redundancy, iteration_limit, converged };
 
 /// Estimate of an unknown, or of a response.
@@ -87,7 +88,7 @@ struct UnknownResult {
   std::optional<Estimate> estimate = {};
   int at_bound = 0;  ///< -1: `from`, 1: `to`.
   std::optional<double> profile_low = {}, profile_high = {};
-  bool profile_failed = false;  ///< An end was not found, which may lie within the bounds.
+  bool profile_failed = false;  ///< Whether an end was not found, which may lie within the bounds.
   bool prior_decides = false;
 };
 
@@ -97,37 +98,37 @@ struct Runs {
 };
 
 struct CurveResult {
-  std::vector<double> fitted, residual;  ///< `fitted` with the offset.
+  std::vector<double> fitted, residual;  ///< `fitted` includes the offset.
   std::vector<double> deviation, weight;
   std::vector<double> low, high, band_deviation;  ///< Empty: no band.
-  bool is_without_noise = false;                  ///< The estimated deviation stands at its least.
+  bool is_without_noise = false;                  ///< Whether the estimated deviation is at its lower bound.
   double rms = 0.0;
   std::optional<double> redundancy = {}, chi_square = {}, r_squared = {};
   std::optional<Runs> runs = {};
 };
 
-/// A direction in which the data do not decide.
+/// A direction that the data do not determine.
 struct Unidentified {
   std::vector<std::size_t> unknowns;
   std::vector<double> direction;
   double ratio = 0.0;
-  double factor = 0.0;                       ///< a + factor b; of logarithms a b^factor.
+  double factor = 0.0;                       ///< a + factor b; for logarithms a b^factor.
   std::optional<Estimate> combination = {};  ///< Estimate of the combination, for two unknowns of one scale.
 };
 
 struct StartResult {
-  std::optional<double> objective = {};  ///< S + 2 sum n ln sigma over estimated ones.
+  std::optional<double> objective = {};  ///< S + 2 sum n ln sigma over estimated deviations.
   std::vector<double> values = {};       ///< Values of the unknowns, if there is an objective.
   Status status = Status::no_equilibrium;
   bool is_best = false;
-  bool is_another_minimum = false;  ///< Within 4 of the best.
+  bool is_another_minimum = false;  ///< Whether the objective is within 4 of the best.
 };
 
 struct Result {
   Status status = Status::no_equilibrium;
   std::optional<Failure> failure = {};
   bool failed_at_start = false;
-  /// Row for want of whose answer a search took back steps and did not come to rest.
+  /// Row whose missing result made a search reduce its steps, so that it did not converge.
   std::optional<Failure> held_by = {};
   std::optional<std::size_t> without_influence = {};   ///< An unknown that no curve depends on.
   std::optional<std::size_t> without_redundancy = {};  ///< Curve.
@@ -136,7 +137,7 @@ struct Result {
   std::optional<double> chi_square = {}, reduced_chi_square = {}, p_value = {};
   std::size_t iterations = 0;
   std::vector<UnknownResult> unknowns;
-  std::vector<std::size_t> with_deviation;  ///< Whose covariance follows.
+  std::vector<std::size_t> with_deviation;  ///< Unknowns in the covariance below.
   std::vector<std::vector<double>> covariance, correlation;
   std::vector<double> singular_value_ratios;
   std::vector<Unidentified> unidentified;

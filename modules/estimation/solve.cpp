@@ -26,7 +26,7 @@ std::optional<Spread> look_at_start(const Model& model, Differences& function, R
   return result.without_influence ? std::nullopt : std::optional(spread);
 }
 
-/// What starts are compared by.
+/// Criterion for comparing starts.
 double criterion(const Search& s, double objective) {
   for (const std::size_t c : s.model.fitted)
     if (s.model.curves[c].is_estimated)

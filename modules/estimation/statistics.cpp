@@ -28,7 +28,7 @@ double consistency(const Loss& loss) {
     case Loss::Kind::huber:
       return std::erf(k / std::numbers::sqrt2);
     case Loss::Kind::cauchy: {
-      // exp(x^2) erfc(x) of large x by its asymptotic series.
+      // exp(x^2) erfc(x) for large x by its asymptotic series.
       const double x = k / std::numbers::sqrt2;
       if (x > 20.0) return 1.0 - 3.0 / (k * k);
       return k * k * (1.0 - k * std::sqrt(0.5 * std::numbers::pi) * std::exp(x * x) * std::erfc(x));

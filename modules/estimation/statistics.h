@@ -19,7 +19,7 @@ double chi_square_beyond(double x, double degrees);  ///< Probability beyond x.
 /// Quantile of Student's distribution, or of the normal one.
 double quantile(double level, std::optional<double> degrees);
 
-/// Runs of sign in their order, zeros left out (Wald and Wolfowitz 1940).
+/// Runs of equal sign, in order, without zeros (Wald and Wolfowitz 1940).
 std::optional<Runs> runs_of(std::span<const double> residuals);
 
 /// Radical inverse of k in the j-th prime, from 0 (Halton 1960).
@@ -32,25 +32,25 @@ struct Spectrum {
   static constexpr double kLeastRatio = 1e-4, kNoEffect = 1e-3;
 
   VectorXd length;
-  std::vector<Index> columns;  ///< Those that are not left out.
+  std::vector<Index> columns;  ///< Indices of the remaining columns.
   VectorXd ratios;             ///< Singular values over the first one.
-  MatrixXd vectors;            ///< In rows of `columns`.
+  MatrixXd vectors;            ///< Vectors in rows of `columns`.
 };
 Spectrum spectrum_of(const MatrixXd& rows);
 
 /// A^-1 of normal equations A over the columns `free`, on identifiable directions alone; 0 elsewhere.
 MatrixXd inverse(const MatrixXd& normal, const std::vector<Index>& free);
 
-/// A curve as statistics see it.
+/// Weights and information of a curve.
 struct Weighed {
   MatrixXd information;         ///< J'J over sigma^2.
   double a = 1.0, b = 1.0;      ///< Mean of psi', and sum of psi^2 over q.
   double redundancy = 0.0;      ///< q
-  bool has_own_spread = false;  ///< An estimated sigma or a robust loss.
+  bool has_own_spread = false;  ///< Whether it has an estimated sigma or a robust loss.
   bool is_estimated = false;
 };
 
-/// Covariance of z, with what estimated weights cost (Kenward and Roger 1997); C0 without it.
+/// Covariance of z, with the effect of estimated weights (Kenward and Roger 1997); C0 without it.
 struct Covariance {
   MatrixXd first, full, inverse;
   const std::vector<Weighed>* curves = nullptr;

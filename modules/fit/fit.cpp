@@ -236,11 +236,11 @@ std::string fitted_case(const FitResult& r) {
     const FitParameter& p = r.input.parameters[j];
     const std::string value = fit_text(*r.found.unknowns[j].value, p.unit);
     overrides.push_back(fmt::format("{}={}", p.path, value));
-    // Fitted again it starts where it ended.
+    // A repeated fit then starts at its end.
     if (p.has_start) overrides.push_back(fmt::format("fit.parameters[{}].start={}", j, value));
   }
   const input::Source& source = r.input.source;
-  // The readings go with the file.
+  // The readings are copied with the file.
   for (std::size_t c = 0; c < r.input.curves.size(); ++c)
     if (const FitCurve& curve = r.input.curves[c]; curve.use != FitCurve::Use::band)
       if (const std::string name = name_of_copy(r.input, c); name != curve.file)

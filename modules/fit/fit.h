@@ -7,7 +7,7 @@
 
 namespace prs {
 
-/// An input that is fitted. Numbers are in `unit`, that of `from`.
+/// A fitted input. Numbers are in `unit`, that of `from`.
 struct FitParameter {
   std::string path, label, unit;
   bool is_log = false;
@@ -17,10 +17,10 @@ struct FitParameter {
   };
   std::optional<Prior> prior = {};
   bool has_start = false;  ///< Whether `start` is stated.
-  std::string stood = {};  ///< What the file said; empty: nothing.
+  std::string stood = {};  ///< Value in the file before; may be empty.
 };
 
-/// What rows of a curve set. Numbers are in the unit of the condition, words stand as they are.
+/// An input set by the rows of a curve. Numbers are in the unit of the condition, words are unchanged.
 struct FitCondition {
   std::string path, unit;
   std::vector<std::string> texts;  ///< One per row.
@@ -32,15 +32,15 @@ struct FitCurve {
 
   std::string name, file, response, unit, at;  ///< `at`: path in the document, `fit.curves[0]`.
   Command command = Command::solve;
-  bool is_usual_command = true;  ///< Whether it is the command of such responses.
+  bool is_usual_command = true;  ///< Whether it is the usual command of such responses.
   Use use = Use::fit;
   modules::fit::Loss loss;
   bool has_offset = false;
-  std::vector<FitCondition> conditions;  ///< Conditions of rows; those that are the same in all stand in `base`.
-  std::vector<std::pair<std::string, std::string>> constants = {};  ///< The others, for a band's document.
-  std::string series;                                               ///< What `places` are of; empty: rows on their own.
-  std::vector<double> places;                                       ///< SI
-  std::vector<std::size_t> columns = {};                            ///< Columns of the readings in their lines.
+  std::vector<FitCondition> conditions;  ///< Conditions that differ between rows; the others are in `base`.
+  std::vector<std::pair<std::string, std::string>> constants = {};  ///< The other conditions, for a band's document.
+  std::string series;                     ///< Name of the series of `places`; empty: rows are independent.
+  std::vector<double> places;             ///< SI
+  std::vector<std::size_t> columns = {};  ///< Columns of the readings in their lines.
   std::vector<double> measured, deviation;
   std::vector<std::size_t> lines;  ///< Lines of the file.
   std::size_t rows = 0;
@@ -50,24 +50,24 @@ struct FitCurve {
 struct FitInput {
   input::Source source;
   std::vector<FitParameter> parameters;
-  std::vector<FitCurve> curves;  ///< Then bands.
+  std::vector<FitCurve> curves;  ///< Curves with readings, then bands.
   double level = 0.9;
   std::size_t starts = 1;
   std::vector<std::size_t> profile;
 };
 
-/// Reads the fit of a source, opens its curves and checks all of it. Throws InputError.
+/// Reads the fit of a source, opens its curves and checks everything. Throws InputError.
 FitInput read_fit_input(const input::Source& source);
 
-/// Values of the parameters in their units -> all that a fit asks for, on several threads.
+/// Evaluates all responses of a fit at values of the parameters in their units, on several threads.
 class FitEvaluation {
  public:
-  /// Runs the case of each curve once. Throws InputError. The input must outlive it.
+  /// Runs the case of each curve once. Throws InputError. The input must outlive the object.
   FitEvaluation(const FitInput& input, std::size_t threads);
   ~FitEvaluation();
 
   std::vector<modules::fit::Answer> operator()(const std::vector<modules::fit::Request>& requests);
-  std::size_t rows() const;  ///< Computed so far.
+  std::size_t rows() const;  ///< Number of rows computed so far.
 
  private:
   struct Parts;
@@ -85,7 +85,7 @@ struct FitResult {
   std::size_t unknowns() const { return found.unknowns.size(); }
   /// `friction.coulomb` or `offset of travel`
   std::string name(std::size_t unknown) const;
-  /// The curve of an unknown behind the parameters.
+  /// Curve of an offset, which is an unknown after the parameters.
   const FitCurve& curve_of_offset(std::size_t unknown) const;
   const FitParameter* parameter(std::size_t unknown) const {
     return unknown < input.parameters.size() ? &input.parameters[unknown] : nullptr;
@@ -94,25 +94,25 @@ struct FitResult {
 };
 
 struct FitOptions {
-  std::size_t threads = 0;  ///< 0: one per processor.
+  std::size_t threads = 0;  ///< Number of threads; 0: one per processor.
 };
 
-/// Throws InputError.
+/// Runs the fit of a source. Throws InputError.
 FitResult fit_case(const input::Source& source, const FitOptions& options = {});
 
-/// `torque, torque.csv:7`
+/// Place of a row: `torque, torque.csv:7`.
 std::string place_of(const FitInput& input, std::size_t curve, std::size_t row);
 
-/// Under what name a curve's readings stand beside the fitted case.
+/// File name of a curve's readings beside the fitted case.
 std::string name_of_copy(const FitInput& input, std::size_t curve);
 
-/// The text of the source with the values in their places, and above each how well it is known.
+/// Text of the source with the fitted values, and above each its uncertainty.
 std::string fitted_case(const FitResult& result);
 
-/// A number as it is written into files: ten digits, with its unit.
+/// A number as written into files: ten digits, with its unit.
 std::string fit_text(double value, std::string_view unit);
 
-/// `not_identifiable`
+/// Name in documents: `not_identifiable`.
 std::string_view name(modules::fit::Status status);
 
 }  // namespace prs

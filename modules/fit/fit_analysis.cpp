@@ -12,7 +12,7 @@ namespace prs {
 
 namespace estimation = modules::fit;
 
-// What a document shows, by its place in the result.
+// A part of a result for documents, by its index.
 struct FittedUnknown {
   const FitResult* r = nullptr;
   std::size_t j = 0;
@@ -227,7 +227,7 @@ constexpr Quantity<estimation::StartResult> kStart[] = {
     {"best", always<&estimation::StartResult::is_best>, "whether the fit is this one"},
 };
 
-/// The n things of a kind, by their places.
+/// Parts of a kind, by their indices 0 to n - 1.
 template <class T>
 std::vector<T> all_of(const FitResult& r, std::size_t n) {
   std::vector<T> all;
@@ -280,7 +280,7 @@ constexpr Quantity<FitResult> kFit[] = {
     {"starts", of_fit<&estimation::Result::starts>, "searches, the file's first"},
 };
 
-// Files.
+// Files
 
 std::string conditions_text(const FitCurve& c, std::size_t row) {
   std::vector<std::string> texts;
@@ -331,7 +331,7 @@ std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
     files.push_back({"fit_bands.csv", rows_csv(bands, "band", "row", style)});
   if (!r.converged()) return files;
   files.push_back({"fitted.yaml", fitted_case(r)});
-  // Beside it the readings, so that it is a case like any other.
+  // The readings are copied beside it, to make it a complete case.
   std::set<std::string> copied;
   for (std::size_t c = 0; c < r.input.curves.size(); ++c) {
     const FitCurve& curve = r.input.curves[c];
@@ -343,9 +343,9 @@ std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
   return files;
 }
 
-// For people.
+// For people
 
-/// What tells a row of a band from the others.
+/// Text that distinguishes a row of a band from the others.
 std::string row_text(const FitCurve& c, std::size_t row) {
   std::string text = " ";
   for (const FitCondition& condition : c.conditions)
@@ -467,7 +467,7 @@ std::string fit_table(const FitResult& r) {
   return text + warning_section(r.warnings);
 }
 
-/// The table as rows of the page.
+/// The table as rows for the page.
 PageSection fit_section(const FitResult& r) {
   PageTable values{"Values", {"", "Value", "Deviation", level_text(r), "To", "Unit"}, {}};
   for (const FittedUnknown& p : unknowns_of(r)) values.rows.push_back(cells_of(p));
@@ -484,9 +484,9 @@ PageSection fit_section(const FitResult& r) {
   return page;
 }
 
-// Pictures.
+// Pictures
 
-/// Along what the rows of a curve stand: a column of numbers, else their order.
+/// Abscissa of the rows of a curve: a column of numbers, else their order.
 std::pair<Axis, std::vector<double>> course_of(const FitCurve& c) {
   if (!c.series.empty()) {
     const bool force = c.series.ends_with("_N");
@@ -520,7 +520,7 @@ Figures curve_figures(const FitResult& r) {
     std::vector<std::size_t> order(x.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
-    // More than a picture shows.
+    // Thinned if there are more rows than a picture shows.
     if (const std::size_t stride = (order.size() + 1999) / 2000; stride > 1) {
       std::size_t kept = 0;
       for (std::size_t i = 0; i < order.size(); i += stride) order[kept++] = order[i];
@@ -533,7 +533,7 @@ Figures curve_figures(const FitResult& r) {
       for (const std::size_t i : rows_of) series.add(x[i], y[i]);
       panel.series.push_back(std::move(series));
     };
-    // A line for all rows that only their place tells apart.
+    // One line for all rows that differ in their abscissa only.
     std::map<std::vector<std::string>, std::vector<std::size_t>> lines;
     for (const std::size_t i : order) {
       std::vector<std::string> others;

@@ -22,31 +22,31 @@ namespace {
 namespace estimation = modules::fit;
 using modules::fit::Failure, modules::fit::Request;
 
-/// What one design gives: a number for each response, or rows of them.
+/// Results of one design: a number for each response, or rows of them.
 struct RowsOfDesign {
-  std::vector<std::vector<double>> values;  ///< Values of each curve of its group; NaN where there is none.
-  std::string reason;                       ///< Why there are none at all.
+  std::vector<std::vector<double>> values;  ///< Values of each curve of its group; NaN for missing ones.
+  std::string reason;                       ///< Reason why there are none at all.
   bool is_refused = false;
 };
 
-/// Curves of one case: the same conditions, whose computations they share.
+/// Curves of one case: with the same conditions, so that they share computations.
 struct Group {
   std::string key;
   std::vector<std::size_t> curves;
   input::StudyInput input;
-  std::vector<std::vector<Draw>> designs;           ///< Draws of the conditions, each once.
+  std::vector<std::vector<Draw>> designs;           ///< Draws of the conditions, without repetition.
   std::vector<std::vector<std::size_t>> design_of;  ///< Design of each row of each curve.
   std::vector<double> places = {};                  ///< Places of a series, ascending.
   std::vector<std::vector<std::size_t>> place_of = {};
   std::unique_ptr<DesignEngine> engine = {};
-  std::string without_answer = {};  ///< Why there is no engine.
+  std::string without_answer = {};  ///< Reason why there is no engine.
   /// Losses of cycles, by the parameters that they depend on.
   std::map<std::vector<double>, DutyLosses> losses = {};
   std::vector<DesignReader> idle = {};
   std::unique_ptr<std::mutex> mutex = std::make_unique<std::mutex>();
 };
 
-/// A duty with a step's end at each of these times.
+/// A duty with steps split at each of these times.
 std::vector<Heat::DutyStep> cut(const std::vector<Heat::DutyStep>& duty, const std::vector<double>& times) {
   double period = 0.0;
   for (const Heat::DutyStep& step : duty) period += step.time();
@@ -69,7 +69,7 @@ std::vector<Heat::DutyStep> cut(const std::vector<Heat::DutyStep>& duty, const s
   return pieces;
 }
 
-/// How long a series in time goes on.
+/// Duration of a series in time.
 double period_of(const Case& c, const std::string& series) {
   if (series == "response.time_s") return c.response ? c.response->duration : 0.0;
   double period = 0.0;
@@ -78,7 +78,7 @@ double period_of(const Case& c, const std::string& series) {
   return period;
 }
 
-/// Makes each place stand once.
+/// Sorts places and removes repeated ones.
 void sort_once(std::vector<double>& places) {
   std::ranges::sort(places);
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -134,7 +134,7 @@ struct FitEvaluation::Parts {
       else
         check_document(group);
     } catch (const UnknownResponse& error) {
-      // One that the program knows may have no answer at the start.
+      // Known responses may have no result at the start.
       const FitCurve& curve = input.curves[group.curves[error.index()]];
       if (!curve.is_usual_command || !result_number(curve.response))
         input::fail_at(input.source, curve.at + ".response", error.what());
@@ -210,7 +210,7 @@ struct FitEvaluation::Parts {
     }
   }
 
-  /// The case of the first row; what is wrong with it stands there.
+  /// Case of the first row, at whose place its errors are reported.
   Case first_case(const input::CaseFile& file, const Group& group, input::ErrorList& errors) const {
     const std::size_t c = group.curves[0];
     const FitCurve& curve = input.curves[c];
@@ -225,10 +225,10 @@ struct FitEvaluation::Parts {
     }
   }
 
-  /// Whether a design that is no study's has its responses.
+  /// Checks that a design which no study can run has its responses.
   void check_document(Group& group) {
     const std::string& series = first_curve(group).series;
-    if (series == "response.time_s") return;  // Its keys are known.
+    if (series == "response.time_s") return;  // Keys of the series are known.
     if (series == "heat_cycle.time_s") {
       for (std::size_t k = 0; k < group.curves.size(); ++k)
         if (part_of(group.input.study.responses[k]) == nullptr)
@@ -239,7 +239,7 @@ struct FitEvaluation::Parts {
       return;
     }
     const RowsOfDesign found = rows_of(group, with_parameters(group, starts(), 0));
-    if (!found.reason.empty()) return;  // Said where it is asked for.
+    if (!found.reason.empty()) return;  // Reported where the response is evaluated.
     for (std::size_t k = 0; k < group.curves.size(); ++k) {
       if (std::ranges::any_of(found.values[k], [](double v) { return std::isfinite(v); })) continue;
       std::vector<std::string_view> keys;
@@ -287,7 +287,7 @@ struct FitEvaluation::Parts {
     return reader;
   }
 
-  /// Those that losses at given temperatures of the parts depend on.
+  /// Parameters that affect the losses at given temperatures of the parts.
   std::vector<double> parameters_of_losses(const std::vector<Draw>& draws) const {
     std::vector<double> values;
     for (std::size_t j = 0; j < input.parameters.size(); ++j) {
@@ -299,7 +299,7 @@ struct FitEvaluation::Parts {
     return values;
   }
 
-  /// A design that no study runs. `found`: losses that it had to find, of a cycle.
+  /// Results of a design that no study can run. `found`: receives newly computed losses of a cycle.
   RowsOfDesign rows_of(Group& group, const std::vector<Draw>& draws, DutyLosses* found = nullptr) {
     RowsOfDesign rows;
     DesignReader reader = borrowed(group);

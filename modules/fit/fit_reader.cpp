@@ -27,12 +27,12 @@ using input::with_unit;
 
 constexpr std::size_t kMostRows = 1'000'000;
 
-/// As it was written: `460 J/(kg K)` of a value with brackets, which stands in quotes.
+/// Text as written: `460 J/(kg K)` for a value with brackets, which is in quotes.
 std::string unquoted(const std::string& text) {
   return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
-/// Those that studies record.
+/// Responses that studies record.
 std::vector<std::string_view> usual_responses() {
   std::vector<std::string_view> all;
   const auto add = [&](const auto& analysis) {
@@ -42,7 +42,7 @@ std::vector<std::string_view> usual_responses() {
   return all;
 }
 
-/// Paths of the numbers that a document states.
+/// Adds the paths of the numbers that a document states.
 void add_numbers(const Node& node, const std::string& path, std::vector<std::string>& all) {
   if (node.kind == Node::Kind::scalar && input::split_unit(node.text)) all.push_back(path);
   for (std::size_t k = 0; k < node.children.size(); ++k) {
@@ -58,7 +58,7 @@ constexpr Command kCommands[] = {Command::contact, Command::solve,    Command::s
 
 constexpr std::string_view kResponseTime = "response.time_s";
 
-/// What a series stands over; nothing of a single number.
+/// Abscissa of a series; none for a single number.
 std::optional<std::string> along_of(std::string_view response) {
   if (response.starts_with("preload.loads[].")) return "preload.loads[].axial_force_N";
   constexpr std::string_view kTemperature = "heat_cycle.temperature_degC.";
@@ -199,7 +199,7 @@ class FitReader : input::VariedInput {
          shown(path));
   }
 
-  /// `friction.coulomb` and `friction.model.coulomb` lead to the same: the one that the file has.
+  /// Path in the form of the file: `friction.coulomb` and `friction.model.coulomb` lead to the same value.
   std::string as_in_file(const std::string& path) const {
     constexpr std::string_view kModel = ".model.";
     std::string other = path;
@@ -242,7 +242,7 @@ class FitReader : input::VariedInput {
     check_paths(paths, "parameter", false, root_, errors_);
   }
 
-  /// What is wrong with a text in the place of a path; nothing where it is sound.
+  /// Error of a text as the value of a path; none if it is valid.
   std::optional<std::string> wrong(const std::string& path, const std::string& text) const {
     input::ErrorList found(source_);
     Node design = base_;
@@ -401,7 +401,7 @@ class FitReader : input::VariedInput {
     return unit.empty() ? text : text + " " + unit;
   }
 
-  /// The unit of a column against that of the input that it sets.
+  /// Compares the unit of a column with that of the input that it sets.
   void prepare(FitCondition& condition, const std::string& first, input::Slot& slot, const input::Unit*& unit) {
     CaseFile file = file_;
     {
@@ -424,7 +424,7 @@ class FitReader : input::VariedInput {
            condition.unit.empty() ? "none" : shown(condition.unit),
            d ? "the unit of " + std::string(d->name) + ": " + input::unit_list(*d) : "none", d ? d->canonical : "\"\"");
     if (d) unit = input::find_unit(condition.unit, *d);
-    // Numbers are set as they are found in this case.
+    // Numbers are set through their place in this case.
     slot.numbers.clear(), slot.list = nullptr, slot.whole = nullptr;
   }
 
@@ -433,7 +433,7 @@ class FitReader : input::VariedInput {
     const auto found = conversion(written, unit);
     if (found) return *found;
     std::string other;
-    if (unit.empty()) {  // Its name may lack the unit.
+    if (unit.empty()) {  // The name may lack the unit.
       const std::vector<std::string_view> known = usual_responses(), near = input::near_words(response, known);
       other = near.empty() ? ", or another response of `prs list responses`"
                            : fmt::format(", or did you mean the response `{}`?", fmt::join(near, "`, `"));
@@ -479,7 +479,7 @@ class FitReader : input::VariedInput {
       unit = in ? in->text : "";
     } else {
       const std::string text = unquoted(*item.deviation);
-      const auto written = input::split_unit(text);  // Its unit is a part of the text.
+      const auto written = input::split_unit(text);  // The unit is part of the text.
       if (!written)
         fail(key,
              "got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or estimated; write for "
@@ -663,7 +663,7 @@ FitInput read_fit_input(const input::Source& source) {
   input::ErrorList errors(source);
   const Node root = read_document(source, errors);
   const CaseFile whole = read_case_file(root, errors);
-  if (!whole.fit) read_case_input(source, Command::fit);  // Which says so.
+  if (!whole.fit) read_case_input(source, Command::fit);  // Reports the missing fit.
   errors.throw_if_any();
   Node base = root;
   std::erase_if(base.children, [](const Node& child) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Signals as the equations ask for them.
+/// Signals in the form for the equations.
 struct DriveSignals {
   BoundSignal motor, force;
 
@@ -40,7 +40,7 @@ Conditions at_rest(Conditions c) {
   return c;
 }
 
-/// `largest` with the thread loads that `prs solve` finds for it as a load case.
+/// `largest` with the thread loads that `prs solve` gives for it as a load case.
 LargestForce under_solve(const Conditions& conditions, const Contacts& contacts, const std::string& load_case,
                          LargestForce largest, Direction d) {
   Conditions c = conditions;
@@ -72,7 +72,7 @@ LargestForce under_solve(const Conditions& conditions, const Contacts& contacts,
   return largest;
 }
 
-/// Both senses as `prs preload` has them.
+/// Adds the loads of both senses as in `prs preload`.
 void put_under_preload(const Conditions& conditions, const Contacts& contacts,
                        PerDirection<std::optional<LargestForce>>& largest, double least) {
   Conditions c = conditions;
@@ -94,7 +94,7 @@ void put_under_preload(const Conditions& conditions, const Contacts& contacts,
   }
 }
 
-/// What friction takes of a preload under no load, as `prs slip` has it: of a running screw.
+/// Friction torque of a preloaded screw without load, as in `prs slip`: for a running screw.
 std::optional<double> torque_at_zero_load(const Case& c, const std::string& load_case) {
   Case one = c;
   const auto pattern = std::ranges::find(c.load_cases, load_case, &LoadCase::name);
@@ -104,19 +104,19 @@ std::optional<double> torque_at_zero_load(const Case& c, const std::string& load
     one.load_cases.resize(1);
   LoadCase& load = one.load_cases.front();
   load.axial_force = 0.0;
-  if (load_case.empty()) load.position = c.preload->position;  // As the curves.
+  if (load_case.empty()) load.position = c.preload->position;  // Position as for the curves.
   if (!load.direction) load.direction = Direction::tension;
   if (!slip_takes_running_loads(c.model, load.share) || !missing(one, Command::slip).empty()) return {};
   try {
     const Result result = analyze_heat(one, {.detail = Detail::numbers});
     const std::optional<SlipResult>& slip = result.load_cases.front().slip;
     if (slip && slip->converged()) return std::abs(slip->torque_screw);
-  } catch (const CaseError&) {  // What slip refuses has no value.
+  } catch (const CaseError&) {  // No value if slip refuses the case.
   }
   return {};
 }
 
-/// What the curves say of their torque, as the drive takes it.
+/// Warns of the conditions for which the curves' torque is valid in a drive.
 void tell_of_preload(const Case& c, const std::string& load_case, std::vector<Warning>& warnings) {
   for (Warning& warning : warnings) {
     constexpr std::string_view kOther = " for `slip`";
@@ -171,7 +171,7 @@ FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput&
   return r;
 }
 
-/// The largest forces in place of those at which the curves end.
+/// Warns of the pressure under the largest forces, in place of those at the ends of the curves.
 void warn_of_pressure(ResponseResult& r) {
   std::erase_if(r.warnings, [](const Warning& w) {
     return w.code.ends_with("_peak_pressure") || w.code.ends_with("_running_pressure");

@@ -10,15 +10,15 @@ constexpr std::string_view name(DriveStatus s) {
   return s == DriveStatus::converged ? "converged" : s == DriveStatus::step_limit ? "step_limit" : "integration_failed";
 }
 
-/// Curves of the drive's screw under the block `response`: friction of static loads and the external
-/// force alone, unless the case states running ones.
+/// Curves of the drive's screw for the block `response`: friction of static loads and the external force only, unless
+/// the case states running ones.
 SystemCurves response_curves(const Case& c, const CurveOptions& asked = {});
 
-/// The block with the points of the files that its signals name. Throws InputError for a file, CaseError
-/// for what the points then have wrong.
+/// The block with the points of the files that its signals name. Throws InputError for a file, CaseError for errors in
+/// the points.
 ResponseInput with_signal_files(const Case& c, const input::Source& source);
 
-/// The drive as the equations take it; valid as long as the curves.
+/// The drive in the form for the equations; valid as long as the curves.
 PrsDrive drive_of(const Case& c, const ResponseInput& input, const SystemCurves& curves);
 
 /// The most loaded thread of an interface under the largest force.
@@ -28,12 +28,12 @@ struct MostLoaded {
   std::optional<double> peak_pressure;  ///< [Pa]
 };
 
-/// A largest force of the run and the threads under it, which a small one has none of.
+/// A largest force of the run and the threads under it; none for a small force.
 struct LargestForce {
   double force = 0.0, time = 0.0;
-  std::optional<PerInterface<MostLoaded>> threads = {};  ///< Without preload.
+  std::optional<PerInterface<MostLoaded>> threads = {};  ///< Most loaded threads; without preload.
   std::optional<double> normal_load = {};                ///< Normal load of both sides, present with preload [N].
-  std::optional<double> peak_pressure = {};              ///< The largest [Pa].
+  std::optional<double> peak_pressure = {};              ///< Largest peak pressure [Pa].
 };
 
 struct SettlingResult {
@@ -48,7 +48,7 @@ struct FollowingError {
   double largest = 0.0, time = 0.0, rms = 0.0;
 };
 
-/// Everything that `analyze_response` computes, SI units.
+/// All results of `analyze_response`, SI units.
 struct ResponseResult {
   ResponseInput input;
   bool has_preload = false;
@@ -58,7 +58,7 @@ struct ResponseResult {
   std::optional<SettlingResult> settling;
   std::optional<FrequencyResponse> frequency_response;
   bool can_open = true;
-  std::string load_case = {};                     ///< Whose position and conditions the curves have.
+  std::string load_case = {};                     ///< Load case with the position and conditions of the curves.
   double curves_force = 0.0, curves_speed = 0.0;  ///< Ends of the curves [N], [rad/s]; speed 0 without friction.
   std::vector<Warning> warnings;
 

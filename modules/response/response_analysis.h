@@ -5,10 +5,10 @@
 
 namespace prs {
 
-/// `response.csv`: one row per sample, a column per series.
+/// `response.csv`: one row per sample, one column per series.
 std::string response_csv(const ResponseResult& result, const CsvStyle& style = {});
 
-/// The results at a glance.
+/// Summary of the results as a table.
 std::string response_table(const ResponseResult& result);
 
 Pictures response_pictures(const ResponseResult& result);

@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 8000;
 
-/// A series over time; of more points than a picture shows the least and the largest of each part.
+/// A series over time; for more points than a picture shows, the smallest and the largest of each part.
 Series over_time(std::size_t style, const DriveResult& run, const std::vector<double>& values, double factor) {
   Series line{style};
   const std::size_t step = 1 + 2 * run.time.size() / kMostPoints;

@@ -3,7 +3,7 @@
 namespace prs {
 namespace {
 
-/// Parts of the result under keys of their own.
+/// Parts of the result with records of their own.
 struct PartOf {
   const ResponseResult* whole = nullptr;
 };
@@ -193,7 +193,7 @@ namespace {
 constexpr std::string_view kResponses[] = {"response.largest.tension.force_N", "response.largest.compression.force_N",
                                            "response.largest.motor_torque_Nm", "response.lost_motion_um"};
 
-/// The largest force, and how near its pressure comes to the static limit of ISO 76's kind.
+/// The largest force, and its pressure relative to the static limit of ISO 76's kind.
 std::vector<Headline> headlines(const ResponseResult& r) {
   const std::optional<LargestForce>* larger = &r.largest.tension;
   if (r.largest.compression && (!*larger || (*larger)->force < r.largest.compression->force))

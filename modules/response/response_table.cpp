@@ -17,7 +17,7 @@ std::string impact_text(const DriveImpact& i) {
                      i.energy, fixed_with_unit(i.force.value, "kN", 3));
 }
 
-/// Below this share of the largest force of all is rounding or a touch.
+/// Force, as a share of the largest, below which it is rounding or a touch.
 constexpr double kTouch = 1e-3;
 
 std::string impacts_text(const DriveResult& run) {

@@ -24,7 +24,7 @@ std::string path_of(const CLI::App& app) {
   return parent == nullptr ? app.get_name() : path_of(*parent) + " " + app.get_name();
 }
 
-/// The command that was parsed: root, command, its command.
+/// Chain of parsed commands: root, command, its command.
 std::vector<const CLI::App*> parsed(const CLI::App& app) {
   std::vector<const CLI::App*> chain{&app};
   while (!chain.back()->get_subcommands().empty()) chain.push_back(chain.back()->get_subcommands().front());
@@ -63,15 +63,15 @@ std::string named(const CLI::ParseError& error) {
   return is_flag && !name.starts_with('-') ? "--" + name : name;
 }
 
-/// For exceptions that are faults of the program.
+/// An unexpected word or option.
 struct Extra {
-  std::size_t depth = 0;  ///< Depth of the command that met it.
+  std::size_t depth = 0;  ///< Depth of the command that found it.
   std::string text;
 };
 
 bool is_option(std::string_view text) { return text.starts_with('-') && text != "-"; }
 
-/// The word in a command's place where none was found, else the first option, else the first word.
+/// The word in place of a command, if it is none, else the first option, else the first word.
 std::optional<Extra> extra(const std::vector<const CLI::App*>& chain) {
   std::optional<Extra> first;
   for (std::size_t depth = 0; depth < chain.size(); ++depth)
@@ -83,13 +83,13 @@ std::optional<Extra> extra(const std::vector<const CLI::App*>& chain) {
   return first;
 }
 
-/// `; did you mean ..?` or nothing.
+/// `; did you mean ..?` or empty.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
   const std::string text = did_you_mean(word, {known.begin(), known.end()});
   return text.empty() ? text : "; " + text;
 }
 
-/// The dashes, which all have, would make the short ones look alike.
+/// Suggestion for an option; the dashes, common to all, are left out, as they would make short ones look alike.
 std::string option_suggestion(std::string_view name, const CLI::App& command) {
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
@@ -100,7 +100,7 @@ std::string option_suggestion(std::string_view name, const CLI::App& command) {
   return text;
 }
 
-/// The command that takes an option, where only one or two do: `prs check`.
+/// Commands that take an option, if only one or two do: `prs check`.
 std::string commands_with(const std::string& option, const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({}))
@@ -133,7 +133,7 @@ std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& e
                      owners.empty() ? option_suggestion(name, command) : fmt::format("; {} has it", owners));
 }
 
-/// How the option is written: `--output DIR`.
+/// Form of the option in help: `--output DIR`.
 std::string form(const CLI::Option& option) {
   const OptionText text = text_of(option);
   return is_argument(option) ? text.value : fmt::format("{} {}", text.names.back(), text.value);

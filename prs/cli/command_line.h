@@ -17,23 +17,23 @@ class Option;
 
 namespace prs::cli {
 
-/// An option or an argument of a command, in words.
+/// An option or an argument of a command, as texts.
 struct OptionText {
-  std::vector<std::string> names;  ///< `-o`, `--output`; none of an argument without a name.
+  std::vector<std::string> names;  ///< `-o`, `--output`; empty for an argument without a name.
   std::string value;               ///< Name of its value: `DIR`; empty for a flag.
-  std::vector<std::string> words;  ///< The values that it takes, where they are few.
+  std::vector<std::string> words;  ///< Allowed values, if they are few.
   std::string help;
   bool required = false;
   bool repeatable = false;
   bool optional_value = false;
 };
 
-/// A command in words: what help, manual, completions and suggestions are made from.
+/// A command as texts, from which help, manual, completions and suggestions are made.
 struct CommandText {
   std::string name;  ///< Full name as typed: `prs study merge`.
   std::string group;
   std::string help;
-  std::string examples;  ///< Lines of a shell.
+  std::string examples;  ///< Command lines for a shell.
   std::vector<OptionText> arguments, options;
   std::vector<CommandText> commands;
 };
@@ -41,51 +41,51 @@ struct CommandText {
 /// The commands and options of a parser.
 CommandText describe(const CLI::App& app);
 
-/// The command that words such as `study`, `merge` name. Throws UsageError where none is.
+/// The command named by words such as `study`, `merge`. Throws UsageError if there is none.
 const CommandText& find_command(const CommandText& program, std::span<const std::string> words);
 
-/// The option takes one of these words, which help and completions list.
+/// Restricts the option to one of these words, which help and completions list.
 void take_one_of(CLI::Option* option, std::vector<std::string> words);
 
-/// The option takes a whole number within bounds.
+/// Restricts the option to a whole number within bounds.
 void take_whole_number(CLI::Option* option, long least, long most);
 
-/// Parses a command line. Where nothing is left to run, as after `--help` or a mistake, prints what
-/// there is to say and returns the exit status.
+/// Parses a command line. If nothing is left to run, as after `--help` or a mistake, prints the text and returns the
+/// exit status.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
-/// Says what is wrong with the command line, with the help to read; returns the exit status.
+/// Prints an error of the command line, with the help to read; returns the exit status.
 int report_usage(const CLI::App& app, std::string_view message);
 
-/// `merge` of `prs study merge`.
+/// Last word of a name: `merge` of `prs study merge`.
 std::string last_word(const CommandText& command);
 /// `prs solve [OPTIONS] FILE`.
 std::string usage(const CommandText& command);
 
-/// What `prs help COMMAND` prints.
+/// Output of `prs help COMMAND`.
 std::string help_text(const CommandText& command);
 
-/// The same for programs: names, arguments, options and commands, each with its help.
+/// Help for programs: names, arguments, options and commands, each with its help.
 nlohmann::ordered_json help_json(const CommandText& command);
 
-/// The commands by purpose: what the program says that got nothing to do.
+/// The commands by purpose: output of the program without arguments.
 std::string overview(const CommandText& program);
 
 /// The manual page of a command in roff, as `man -l` reads it.
 std::string manual_page(const CommandText& command, std::string_view version);
 
-/// File of the manual page: `prs-study-merge.1`.
+/// File name of the manual page: `prs-study-merge.1`.
 std::string manual_file(const CommandText& command);
 
-// Scripts by which shells complete the commands, options, words and files of the program. Words
-// that only the program knows, such as the paths of `--set`, are asked from `prs list`.
+// Scripts with which shells complete the commands, options, words and files of the program. Words that only the program
+// knows, such as the paths of `--set`, come from `prs list`.
 
 std::string bash_completion(const CommandText& program);
 std::string zsh_completion(const CommandText& program);
 std::string fish_completion(const CommandText& program);
 
-/// The command line is wrong. `what()` says what was found, what is allowed and how to fix it;
-/// whoever reports it names the help of the command.
+/// Error of the command line. `what()` says what was found, what is allowed and how to fix it; the handler adds the
+/// help of the command.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -94,7 +94,7 @@ class UsageError : public std::runtime_error {
       : UsageError(fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...)) {}
 };
 
-/// Throws UsageError on an option of the command line: `--lead: MESSAGE`.
+/// Throws UsageError for an option of the command line: `--lead: MESSAGE`.
 [[noreturn]] void fail_option(std::string_view option, std::string_view message);
 template <class Arg, class... Args>
 [[noreturn]] void fail_option(std::string_view option, fmt::format_string<Arg, Args...> message, Arg&& arg,
@@ -102,8 +102,7 @@ template <class Arg, class... Args>
   fail_option(option, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
 }
 
-/// The value of an option [SI] within bounds that `expected` puts into words. A blank between
-/// number and unit may be missing.
+/// The value of an option [SI] within bounds that `expected` describes. A blank between number and unit may be missing.
 double quantity_option(std::string_view option, const std::string& text, const input::Dimension& dimension,
                        const input::Bounds& bounds, std::string_view expected);
 

@@ -39,7 +39,7 @@ void add_set(CLI::App& command, Options& options) {
       });
 }
 
-/// What every command of a case has.
+/// Adds the options of every command of a case.
 void add_case_options(CLI::App& command, Options& options) {
   add_file(command, options)->required();
   add_set(command, options);
@@ -74,7 +74,7 @@ void add_compare_options(CLI::App& compare, Options& options) {
       ->disable_flag_override();
 }
 
-/// It needs no case. Without a name it explains every measure.
+/// Adds `--explain`, which needs no case. Without a name it explains every measure.
 void add_explain(CLI::App& command, Options& options) {
   CLI::Option* file = command.get_option("file");
   command
@@ -91,7 +91,7 @@ void add_explain(CLI::App& command, Options& options) {
 }
 
 void add_study_options(CLI::App& study, Options& options) {
-  study.get_option("file")->required(false);  // `merge` has none.
+  study.get_option("file")->required(false);  // `merge` takes none.
   add_threads(study, options);
   study
       .add_option_function<std::string>(
@@ -223,15 +223,15 @@ void add_schema_options(CLI::App& command, Options& options) {
 }
 
 void add_validate(CLI::App& command, Options&) {
-  static ValidateOptions unused;  // `run_validate` reads its own.
+  static ValidateOptions unused;  // `run_validate` parses its own options.
   add_validate_options(command, unused);
 }
 
-/// A command of a case next to its row of `prs::analyses()`.
+/// A command of a case, in addition to its row in `prs::analyses()`.
 struct CaseRow {
   Command command;
   const char* group = kAnalyse;
-  const char* all = nullptr;  ///< What `--all` shows, where there is more.
+  const char* all = nullptr;  ///< Help of `--all`, if the command has more to show.
   Add add = nullptr;
   Run run = nullptr;
   const char* examples = nullptr;
@@ -308,7 +308,7 @@ CLI::App& add_command(Program& program, const std::string& name, const std::stri
   command->group(group);
   command->footer(examples);
   command->callback([&program, command, run = std::move(run)] {
-    if (command->get_subcommands().empty()) program.run = run;  // Not that of `study merge`.
+    if (command->get_subcommands().empty()) program.run = run;  // `study merge` has its own function.
   });
   return *command;
 }
@@ -447,7 +447,7 @@ int run_case(const AnyAnalysis& row, const Options& options) {
 
 namespace {
 
-/// `references=[..]` of files that stand relative to the current folder.
+/// `references=[..]` with files relative to the current folder.
 std::string override_of(const Options& options) {
   const std::filesystem::path folder = std::filesystem::path(case_name(options)).parent_path();
   Json items = Json::array();

@@ -6,11 +6,11 @@
 
 namespace prs::cli {
 
-/// The program: its commands and options as a parser, and what the command line says.
+/// The program: its commands and options as a parser, and the parsed values.
 struct Program {
   CLI::App app{"Load distribution, stiffness and life of planetary roller screws", "prs"};
   Options options;
-  std::function<int(const Options&)> run;  ///< The command that was asked for.
+  std::function<int(const Options&)> run;  ///< Chosen command.
 };
 
 /// Adds every command with its options and examples. Help, manual, completions and suggestions are

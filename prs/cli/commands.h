@@ -23,43 +23,43 @@ struct ConfigurationOptions {
 struct ExportOptions {
   bool fmu = false, modelica = false, step = false, mjcf = false, urdf = false, is_static = false;
   std::optional<std::string> force, speed, load_case, friction_load;
-  std::optional<std::filesystem::path> output;  ///< A file or a folder.
+  std::optional<std::filesystem::path> output;  ///< Path of a file or a folder.
 };
 
 /// Arguments of all commands.
 struct Options : OutputOptions {
   std::string file;
-  std::vector<std::string> references;          ///< CSV files that `prs compare` is given.
+  std::vector<std::string> references;          ///< CSV files for `prs compare`.
   std::string other;                            ///< `prs compare`: a second case; empty: none.
-  std::vector<std::string> overrides;           ///< `path=value` each.
+  std::vector<std::string> overrides;           ///< Overrides, `path=value` each.
   std::size_t threads = 0;                      ///< Threads of a study; 0: one per processor.
-  std::optional<Shard> shard;                   ///< `prs study --shard`: its part of the designs.
-  bool restart = false;                         ///< `prs study`: discards what was computed before.
-  std::vector<std::filesystem::path> folders;   ///< `prs study merge`: those of the shards.
+  std::optional<Shard> shard;                   ///< `prs study --shard`: its share of the designs.
+  bool restart = false;                         ///< `prs study`: whether to discard earlier results.
+  std::vector<std::filesystem::path> folders;   ///< `prs study merge`: folders of the shards.
   std::optional<std::string> explain;           ///< Measure or result to explain.
-  std::filesystem::path pages;                  ///< `prs manual`: folder of its pages.
-  std::optional<std::filesystem::path> report;  ///< `prs report`: the page to write.
+  std::filesystem::path pages;                  ///< `prs manual`: folder for its pages.
+  std::optional<std::filesystem::path> report;  ///< `prs report`: page to write.
   bool without_engine = false;                  ///< `prs report --static`.
   std::vector<std::filesystem::path> results;   ///< `prs report`: folders of stored results.
-  std::string what;                             ///< `prs list`, `prs schema`: of what.
+  std::string what;                             ///< `prs list`, `prs schema`: subject.
   std::vector<std::string> words;               ///< `prs help`: the command to explain.
   ConfigurationOptions configurations;
   NewOptions new_case;
   ExportOptions export_model;
   std::size_t top = 10;            ///< `prs size`: rows of the table.
-  std::size_t curve = 1;           ///< `prs size`: rank whose force over speed is shown.
+  std::size_t curve = 1;           ///< `prs size`: rank of the candidate whose force over speed is shown.
   std::vector<std::string> write;  ///< `prs size`: empty, or a rank and a file.
 };
 
 inline constexpr std::size_t kMostThreads = 4096;
 
-/// FILE that stands for standard input.
+/// FILE for standard input.
 inline constexpr std::string_view kStandardInput = "-";
 
 /// Name of the case in messages and documents.
 std::string case_name(const Options& options);
 
-/// The case that the command line names. Throws InputError; UsageError where it names none.
+/// The case named by the command line. Throws InputError; UsageError if it names none.
 input::Source case_source(const Options& options);
 
 /// Runs a command that computes a case and writes its results.
@@ -75,9 +75,9 @@ int configurations(const Options& options);
 int optimize(const Options& options);
 /// Finds the unknown inputs of the file's `fit` from its curves.
 int fit(const Options& options);
-/// Writes all that a case asks for as one page.
+/// Writes all results of a case as one page.
 int report(const Options& options);
-/// The same page, written to a temporary folder where no file is named, and opened.
+/// Writes that page, to a temporary folder if no file is named, and opens it.
 int explore(const Options& options);
 /// Writes the whole program as one page, with or without a file to start with.
 int workbench(const Options& options);
@@ -86,16 +86,16 @@ int export_model(const Options& options);
 int schema(const Options& options);
 /// Chooses screws for a requirement, and writes one of them as a case.
 int size(const Options& options);
-/// Prints title, formula, validity and source of what `options.explain` names, a measure or the
-/// path of a result; of every measure where it is empty.
+/// Prints title, formula, validity and source of the measure or the path of a result in `options.explain`; of every
+/// measure if it is empty.
 int explain(const Options& options);
-/// What `prs list` takes, `commands`, .., and what each of them is.
+/// Words that `prs list` takes, `commands`, .., each with its meaning.
 std::vector<std::string> list_words();
 std::string list_help();
-/// Prints what there is to choose from: one name per line with its meaning, or one document.
+/// Prints possible choices: one name per line with its meaning, or one document.
 int list(const Options& options);
 void add_new_options(CLI::App& command, NewOptions& options);
-/// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.
+/// Prints a commented case, or writes it to a new file; or copies a lesson.
 int new_case(const Options& options);
 
 }  // namespace prs::cli

@@ -15,14 +15,14 @@ PRS_EMBED(bash_script, "prs/cli/completion.bash")
 namespace prs::cli {
 namespace {
 
-/// What a shell offers for a value.
+/// Completion that a shell offers for a value.
 struct Offer {
   enum class Kind { nothing, words, list, settings, cases, files, folders };
   Kind kind = Kind::nothing;
-  std::vector<std::string> words;  ///< Words that are offered; of `list`: what `prs list` is asked for.
+  std::vector<std::string> words;  ///< Offered words; for `list`: the argument of `prs list`.
 };
 
-/// How a shell says so, by kind, with the words.
+/// Texts for a shell by kind, with a place for the words.
 using Actions = std::array<const char*, 7>;
 constexpr Actions kBashActions = {":", "words {}", "list {}", "settings", "cases", "files", "folders"};
 constexpr Actions kZshActions = {" ",      "({})",     "_prs_list {}", "_prs_settings", "_files -g \"*.(yaml|yml)\"",
@@ -60,7 +60,7 @@ Offer offer(const CommandText& program, const OptionText& option) {
   return {};
 }
 
-/// Every command but the program itself, those of a command behind it.
+/// Every command except the program itself, subcommands after their command.
 std::vector<const CommandText*> all_commands(const CommandText& program) {
   std::vector<const CommandText*> all;
   for (const CommandText& command : program.commands) {
@@ -87,14 +87,14 @@ std::string action(const Actions& actions, const CommandText& program, const Opt
 
 using boost::replace_all_copy;
 
-// bash.
+// bash
 
-/// The names in a list of `prs list`, without headings and what is said of them.
+/// Filter that leaves the names in a list of `prs list`, without headings and explanations.
 constexpr const char* kNames = R"(sed -n -e '/^name  /d' -e '/^path  /d' -e 's/^\([^ ][^ ]*\)\(  .*\)\{0,1\}$/\1/p')";
 
-// zsh.
+// zsh
 
-/// Text within an argument of `_arguments`, which stands in single quotes.
+/// Text within an argument of `_arguments`, in single quotes.
 std::string zsh_text(std::string text) {
   text = replace_all_copy(text, "'", "'\\''");
   for (const char* special : {"[", "]", ":"}) text = replace_all_copy(text, special, std::string("\\") + special);
@@ -135,7 +135,7 @@ std::string zsh_command(const CommandText& program, const CommandText& command) 
   return text + "\n}\n";
 }
 
-// fish.
+// fish
 
 std::string fish_text(const std::string& text) {
   return "'" + replace_all_copy(replace_all_copy(text, "\\", "\\\\"), "'", "\\'") + "'";

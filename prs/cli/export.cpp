@@ -9,7 +9,7 @@
 namespace prs::cli {
 namespace {
 
-/// A form of the model: its option, its file and what makes it.
+/// A form of the model: its option, its file and its function.
 struct Form {
   const char* option;
   const char* ending;
@@ -46,12 +46,12 @@ bool is_folder(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, error);
 }
 
-/// `--output` with the ending of a form is its file, else a folder.
+/// Whether `--output` is the file of a form, by its ending; else it is a folder.
 bool is_file_of(const Form& form, const std::filesystem::path& output) {
   return output.extension() == form.extension() && !is_folder(output);
 }
 
-/// Before minutes are spent on what cannot be written.
+/// Checks the destination before a computation of minutes.
 void require_place(const std::filesystem::path& output, const std::vector<const Form*>& forms) {
   const auto fail = [&](std::string_view got, std::string_view expected) {
     throw UsageError("--output: got {}{}; expected {}", input::shown(output.string()), got, expected);
@@ -69,7 +69,7 @@ void require_place(const std::filesystem::path& output, const std::vector<const 
     fail(", which is a file", "another name, or a folder");
 }
 
-/// The place to which the files of the forms go, and their names.
+/// Destination of the files of the forms, and their names.
 struct Destination {
   std::filesystem::path folder;
   std::vector<OutputFile> files;
@@ -130,7 +130,7 @@ int export_model(const Options& options) {
   if (for_robots)
     robot = input::compute_from(source,
                                 [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
-  std::optional<SystemModel> still;  // The unit without the drive that robots need.
+  std::optional<SystemModel> still;  // Model without the drive, which robots need.
   if (o.fmu && o.is_static && for_robots) still = system_model(source, asked, WithDrive::never);
   const Destination place = destination_of(forms, model, still ? *still : model, robot, output);
   if (!place.files.empty()) write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);

@@ -42,14 +42,14 @@ std::string term(const OptionText& option) {
   return text.empty() ? value : text + " " + value;
 }
 
-/// Text of an argument: the words that it may be stand in it, unless it explains each already.
+/// Text of an argument: lists its possible words, unless it already explains each.
 std::string text(const OptionText& option) {
   const bool explained = !option.words.empty() && option.help.find(option.words.front() + ":") != std::string::npos;
   if (!option.names.empty() || option.words.empty() || explained) return option.help;
   return fmt::format("{}: {}", option.help, fmt::join(option.words, ", "));
 }
 
-/// What a page of help holds between its usage and its examples, in the order of first entries.
+/// Sections of a help page between its usage and its examples, in the order of first entries.
 std::vector<Section> sections(const CommandText& command) {
   std::vector<Section> all;
   const auto add = [&](const std::string& title, Entry entry) {
@@ -81,7 +81,7 @@ std::string plain(const Section& section) {
 
 std::string indented(const std::string& text) { return "  " + boost::replace_all_copy(text, "\n", "\n  ") + "\n"; }
 
-// roff.
+// roff
 
 constexpr std::pair<char, std::string_view> kEscapes[] = {
     {'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
@@ -101,7 +101,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// A line that does not begin as a request does.
+/// A line protected against being read as a request.
 std::string line(std::string_view text) {
   const std::string escapes = escaped(text);
   return (escapes.starts_with('.') ? "\\&" : "") + escapes + "\n";

@@ -7,10 +7,10 @@
 namespace prs::cli {
 namespace {
 
-constexpr int kStatusOfSignal = 128;  ///< Shells add the signal to it.
+constexpr int kStatusOfSignal = 128;  ///< Value that shells add the signal to.
 
-volatile std::sig_atomic_t asked_by = 0;  ///< The signal, or 0.
-Interruption::Patience patience;          ///< Changes while no signal is answered.
+volatile std::sig_atomic_t asked_by = 0;  ///< Received signal, or 0.
+Interruption::Patience patience;          ///< Changes only while no signal is handled.
 
 [[noreturn]] void end(int signal, std::string_view text) {
   remove_unfinished();
@@ -22,7 +22,7 @@ void end(int signal) { end(signal, "prs: interrupted\n"); }
 
 void end_late(int) { end(asked_by, patience.text); }
 
-/// `after` 0: not at all. A plain system call, which handlers of signals may use.
+/// Starts the timer that ends the program; `after` 0: none. A plain system call, allowed in signal handlers.
 void call_end_late(std::chrono::milliseconds after) {
   itimerval timer{};
   timer.it_value.tv_sec = after.count() / 1000;

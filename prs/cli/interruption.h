@@ -5,12 +5,12 @@
 
 namespace prs::cli {
 
-/// While it lives, the first Ctrl-C or SIGTERM only asks the program to stop; the next one ends it.
+/// While the object lives, the first Ctrl-C or SIGTERM only requests a stop; the next one ends the program.
 class Interruption {
  public:
-  /// How long the program may take to stop, and what it says when it is ended then.
+  /// Time that the program may take to stop, and the message if it is then ended.
   struct Patience {
-    std::chrono::milliseconds time{0};  ///< 0: for ever.
+    std::chrono::milliseconds time{0};  ///< 0: unlimited.
     const char* text = "";
   };
 
@@ -20,27 +20,26 @@ class Interruption {
 
   static bool asked();
 
-  /// Exit status of a program that stopped because it was asked: 130 after Ctrl-C.
+  /// Exit status of a program that stopped on request: 130 after Ctrl-C.
   static int status();
 
  private:
   struct sigaction interrupt_ {
-  }, terminate_{}, alarm_{};  ///< How the signals were answered.
+  }, terminate_{}, alarm_{};  ///< Former handlers of the signals.
 };
 
-/// For runs that keep what is computed: time for a design, and not for a long one. `is_kept` says
-/// whether they have a folder for it.
+/// Patience of runs that keep their results: enough for a design, but not for a long one. `is_kept`: whether they have
+/// a folder for results.
 Interruption::Patience patience_for(bool is_kept);
 
-/// Thrown where a program that was asked to stop has left everything in order.
+/// Exception of a program that was asked to stop and has left everything in order.
 struct Interrupted {};
 
-/// Ctrl-C and SIGTERM end the program with status 130 and 143, as a shell reports it, and leave
-/// nothing unfinished.
+/// Makes Ctrl-C and SIGTERM end the program with status 130 and 143, as a shell reports it, leaving nothing unfinished.
 void end_on_interrupt();
 
-/// A file at its size limit (SIGXFSZ) and a closed pipe (SIGPIPE) become write errors, like a full
-/// disk, and do not end the program.
+/// Turns a file at its size limit (SIGXFSZ) and a closed pipe (SIGPIPE) into write errors, like a full disk, which do
+/// not end the program.
 void let_writes_fail();
 
 }  // namespace prs::cli

@@ -18,7 +18,7 @@ struct Item {
   std::string name, meaning;
 };
 
-/// The commands that take a case; with a file, those that have all they need in it.
+/// Commands that take a case; with a file, those for which it has all inputs.
 std::vector<Item> command_items(const Options& options) {
   std::optional<input::CaseInput> in;
   std::vector<Item> items;
@@ -37,7 +37,7 @@ std::vector<Item> command_items(const Options& options) {
   return items;
 }
 
-/// What `--set` takes.
+/// Paths for `--set`.
 std::vector<Item> key_items(const std::vector<input::InputKey>& keys) {
   return each(keys, [](auto& key) { return Item{key.path, key.meaning}; });
 }
@@ -73,7 +73,7 @@ std::vector<Item> lesson_items(const Options&) {
   return each(lessons(), [](const Lesson& lesson) { return Item{lesson.name, lesson.title}; });
 }
 
-/// Something to choose from: items, or a table with names at the head of its lines and a document.
+/// A list of choices: items, or a table with names at the start of its lines and a document.
 struct List {
   const char* word;
   const char* meaning;
@@ -124,7 +124,7 @@ int list(const Options& options) {
 
 namespace {
 
-/// A quantity where it stands in a document.
+/// A quantity and its place in a document.
 struct Place {
   std::string path;  ///< `load_cases[].screw.axial_load_N`.
   Json quantity;
@@ -179,16 +179,16 @@ std::string text_of_quantity(const Json& quantity) {
 }  // namespace
 
 int explain(const Options& options) {
-  // A single word after `--explain` goes to FILE, which the parser wants most.
+  // A single word after `--explain` becomes FILE, which the parser fills first.
   std::string name = options.explain->empty() ? options.file : *options.explain;
-  if (std::filesystem::is_regular_file(name)) name.clear();  // The case, which it needs not.
+  if (std::filesystem::is_regular_file(name)) name.clear();  // The case, which is not needed.
   if (name.empty()) {
     print(options.json ? json_text(measure_explanations_json()) : measure_explanations());
     return kDone;
   }
   const std::vector<Place> all = all_places();
   std::vector<Place> found = places_of(all, name);
-  // `peak_pressure_MPa.max` of a study is that of `peak_pressure_MPa`.
+  // A path of a study such as `peak_pressure_MPa.max` is explained by `peak_pressure_MPa`.
   if (found.empty()) found = places_of(all, name.substr(0, name.rfind('.')));
   if (found.empty()) refuse(name, all);
   Json document = Json::array();
@@ -199,7 +199,7 @@ int explain(const Options& options) {
     entry.update(quantity);
     document.push_back(std::move(entry));
     text += found[k].path + "\n";
-    // What stands in several places is explained once.
+    // A quantity in several places is explained once.
     if (k + 1 == found.size() || found[k + 1].quantity != quantity) text += text_of_quantity(quantity);
   }
   print(options.json ? json_text({{"explanations", document}}) : text);

@@ -18,7 +18,7 @@ void refuse_existing(const fs::path& file) {
     throw UsageError("{}: the file exists already; give another name", input::shown(file.string()));
 }
 
-/// The case of a screw, as the command line asks for it.
+/// Case of a screw by the command line.
 std::string new_text(const NewOptions& options) {
   try {
     return new_case_text(options);
@@ -29,7 +29,7 @@ std::string new_text(const NewOptions& options) {
 
 std::string content_of_file(const fs::path& file) { return input::load_source(file.string(), {}).text; }
 
-/// The lesson, and next to it the files that it reads.
+/// Copies the lesson, and the files that it reads.
 void copy_lesson(const Lesson& lesson, const fs::path& file) {
   const std::vector<std::string> names = companions(input::load_source(lesson.file.string(), {}));
   refuse_existing(file);
@@ -66,14 +66,14 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
 
 [[noreturn]] void refuse_none(const Configurations& nothing) {
   std::string reasons = left_out_text(nothing);
-  reasons.pop_back();  // The newline that whoever prints the error adds.
+  reasons.pop_back();  // Without the newline that the printing of the error adds.
   throw input::InputError(
       "prs: error: nothing sound has this diameter, lead and starts; change what the reasons "
       "name\n" +
       reasons);
 }
 
-/// The configuration that `--write` asks for.
+/// The configuration chosen by `--write`.
 const Configuration& chosen(const Configurations& all, const ConfigurationOptions& o) {
   const std::optional<double> number = input::parse_number(o.write[0]);
   if (number)
@@ -83,7 +83,7 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
               all.found.size());
 }
 
-/// The case of `--write`, into a file that is new.
+/// Writes the case of `--write` into a new file.
 void write_configuration(const Configuration& configuration, const ConfigurationOptions& o) {
   const auto text = [&] {
     try {

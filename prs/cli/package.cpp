@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder that a variable of the environment names; empty where it names none.
+/// Folder named by a variable of the environment; may be empty.
 fs::path told(const char* variable) {
   const char* folder = std::getenv(variable);
   return folder != nullptr ? folder : "";
@@ -32,7 +32,7 @@ std::vector<fs::path> shared_folders() {
   return {above / "share" / "prs", above.parent_path() / "share" / "prs"};
 }
 
-/// The first of them that there is; empty where there is none.
+/// The first existing folder; empty if there is none.
 fs::path shared_folder(const std::string& name) {
   std::error_code unreadable;
   for (const fs::path& folder : shared_folders())
@@ -54,7 +54,7 @@ fs::path live_parts_folder() { return shared_folder("web"); }
 
 namespace {
 
-/// `# Lesson 14: life under a flight's loads.` -> `life under a flight's loads`
+/// Title in the text: `# Lesson 14: life under a flight's loads.` -> `life under a flight's loads`
 std::string title_of(const std::string& text) {
   std::string first = text.substr(0, text.find('\n'));
   if (const std::size_t colon = first.find(": "); colon != std::string::npos) first.erase(0, colon + 2);
@@ -62,7 +62,7 @@ std::string title_of(const std::string& text) {
   return first;
 }
 
-/// `flight_spectrum` of `14_flight_spectrum`.
+/// Name without its number: `flight_spectrum` of `14_flight_spectrum`.
 std::string_view without_number(std::string_view name) {
   return name.substr(std::min(name.find('_') + 1, name.size()));
 }

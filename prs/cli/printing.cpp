@@ -11,7 +11,7 @@
 namespace prs::cli {
 namespace {
 
-/// Returns what went wrong, 0 for nothing.
+/// Writes lines; returns the error, 0 for none.
 int write_lines(int stream, std::string_view text) {
   return is_plain_lines(text) ? write_all(stream, text) : write_all(stream, printable_lines(text));
 }
@@ -21,7 +21,7 @@ int write_lines(int stream, std::string_view text) {
   throw std::system_error(error, std::generic_category(), "cannot write to standard output");
 }
 
-/// Columns of the terminal that shows messages, which would break words; 0 if there is none.
+/// Columns of the terminal for messages, at which it would break words; 0 if there is none.
 std::size_t message_columns() noexcept {
   constexpr std::size_t kLeast = 40;
   winsize size{};
@@ -32,7 +32,7 @@ std::size_t message_columns() noexcept {
 using WriteText = std::function<void(const TextSink&)>;
 
 void write(const Delivery& delivery, const WriteText& document, const Figures& shown, const OutputOptions& options) {
-  const Interruption after_the_files;  // What is written is listed, whatever ends the run.
+  const Interruption after_the_files;  // Written files are listed, however the run ends.
   std::error_code told_by_the_file;
   std::filesystem::create_directories(*options.output, told_by_the_file);
   const std::filesystem::path path = *options.output / delivery.file;
@@ -57,10 +57,10 @@ constexpr auto kPeriod = std::chrono::milliseconds(200);
 }  // namespace
 
 bool reserve_standard_streams() {
-  // In the order of their numbers: a file gets the least that is free.
+  // In the order of their numbers: an opened file gets the smallest free one.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) != -1) continue;
-    // One that cannot be written tells that a table gets lost.
+    // Opened for reading, so that writing fails and reports that a table is lost.
     const int access = stream == STDERR_FILENO ? O_WRONLY : O_RDONLY;
     if (::open("/dev/null", access) != stream) return false;
   }

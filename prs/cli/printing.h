@@ -12,38 +12,38 @@ namespace prs::cli {
 
 using enum Exit;
 
-/// What a run is to print, and where its files go.
+/// Options on the printed output and the files.
 struct OutputOptions {
   bool json = false;
   bool quiet = false;
-  bool all = false;                   ///< The table with all that there is.
-  bool figures = false;               ///< The document holds the pictures as data.
-  bool png = false;                   ///< Pictures are written as PNG files, too.
+  bool all = false;                   ///< Whether to print the full table.
+  bool figures = false;               ///< Whether the document holds the pictures as data.
+  bool png = false;                   ///< Whether pictures are written as PNG files, too.
   UnitSystem units = UnitSystem::si;  ///< Units of tables.
   std::optional<std::filesystem::path> output;
   CsvStyle csv;
 };
 
-/// Opens the standard streams that the program was started without, so that no other file gets
-/// their numbers. What is written to such a stream fails. False where that does not work.
+/// Opens the standard streams that were closed at the start of the program, so that no other file gets their numbers.
+/// Writing to such a stream fails. Returns false if that does not work.
 bool reserve_standard_streams();
 
-/// The reader of standard output has closed it, as `head` does.
+/// Error: the reader of standard output has closed it, as `head` does.
 class ReaderGone : public std::runtime_error {
  public:
   ReaderGone() : std::runtime_error("standard output is read no further") {}
 };
 
-/// Prints on standard output, as `printable_lines` shows it. Throws where that fails: ReaderGone
-/// or, as on a full disk, std::system_error.
+/// Prints on standard output, in the form of `printable_lines`. Throws on failure: ReaderGone or, as on a full disk,
+/// std::system_error.
 void print(std::string_view text);
 
-/// Closes standard output. Throws what a file system held back until then, as `print` does.
+/// Closes standard output. Throws delayed errors of a file system, as `print` does.
 void close_output();
 
-/// Prints on standard error, as `printable_lines` shows it; on a terminal, long lines break between
-/// words. Lines of visible ASCII that are short or go elsewhere allocate no memory. A failure is
-/// ignored: results and exit status do not depend on it.
+/// Prints on standard error, in the form of `printable_lines`; on a terminal, long lines break between words. Lines of
+/// visible ASCII that are short or go elsewhere allocate no memory. A failure is ignored: results and exit status do
+/// not depend on it.
 void say(std::string_view text) noexcept;
 
 /// Prints on standard error unchanged: for terminal control codes, never for text of the input.
@@ -55,15 +55,14 @@ void note(const OutputOptions& options, const std::string& text);
 /// Exit status of a command that has delivered its results.
 int exit_status(bool converged);
 
-/// A text of lines as a note; none where it is empty.
+/// A text of lines as a note; none if it is empty.
 std::vector<std::string> notes_of(std::string text);
 
 /// Writes the files and pictures of a result, prints its document or table, and returns the exit
 /// status of the program.
 int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options);
 
-/// How far a study is, or another work: a line on standard error that is written over, where that
-/// is a terminal.
+/// Progress of a study or other work: one line on standard error that is overwritten, if that is a terminal.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -71,8 +70,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows a text that depends on the seconds since the line began, twice a second at most. May be
-  /// called from any thread.
+  /// Shows a text that depends on the seconds since the line began, at most twice a second. May be called from any
+  /// thread.
   void show(const std::function<std::string(double seconds)>& text);
   void tell(std::string_view text);
   void clear();

@@ -13,7 +13,7 @@
 namespace prs::cli {
 namespace {
 
-/// One line of an error; in pieces where there is no memory for it.
+/// Prints one line of an error; in pieces if there is no memory for it.
 int failed(std::string_view before, std::string_view what, int status) noexcept {
   try {
     say(std::string(before).append(what).append("\n"));
@@ -30,8 +30,8 @@ int out_of_memory() noexcept {
                 kFailed);
 }
 
-/// Memory runs out also where no exception may leave: while a document is taken apart, and in threads of oneTBB that
-/// ask for more threads.
+/// Ends the program if memory runs out where no exception may leave: while a document is destroyed, and in threads of
+/// oneTBB that request more threads.
 [[noreturn]] void end_without_memory() {
   int status = kFailed;
   try {
@@ -46,7 +46,7 @@ int out_of_memory() noexcept {
   ::_exit(status);
 }
 
-/// Says a wrong PRS_INSTRUCTION_SET here, before a kernel meets it on a thread of its own.
+/// Reports a wrong PRS_INSTRUCTION_SET here, before a kernel reads it in another thread.
 void require_instruction_set() {
   try {
     simd::widest();
@@ -55,7 +55,7 @@ void require_instruction_set() {
   }
 }
 
-/// Before hours are spent on what cannot be written.
+/// Checks the folder before a computation of hours.
 void require_folder(const std::filesystem::path& output) {
   if (output.empty()) throw UsageError("--output: got nothing; expected a folder");
   if (std::error_code error; std::filesystem::exists(output, error) && !std::filesystem::is_directory(output, error))

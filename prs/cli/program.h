@@ -9,45 +9,45 @@ class App;
 }
 namespace prs::cli {
 
-/// An option without a value.
+/// Adds an option without a value.
 CLI::Option* add_flag(CLI::App& command, const char* name, bool& flag, const char* help);
 
-/// An option, or an argument, whose value the help calls `type`.
+/// Adds an option, or an argument, whose value the help calls `type`.
 template <class Value>
 auto* add_value(CLI::App& command, const char* name, Value& value, const char* type, const char* help) {
   return command.add_option(name, value, help)->type_name(type);
 }
 
-/// The option may be given several times, each time with one value.
+/// Lets the option be given several times, each time with one value.
 CLI::Option* take_each(CLI::Option* option);
 
 void add_json(CLI::App& command, OutputOptions& options);
 void add_quiet(CLI::App& command, OutputOptions& options);
-/// `--json`, `--output` and `--quiet`.
+/// Adds `--json`, `--output` and `--quiet`.
 void add_output_options(CLI::App& command, OutputOptions& options);
-/// Options of commands with pictures, after those of output.
+/// Adds options of commands with pictures, after those of output.
 void add_png(CLI::App& command, OutputOptions& options);
 
-/// `--units`, for commands that print quantities.
+/// Adds `--units`, for commands that print quantities.
 void add_units_option(CLI::App& command, OutputOptions& options);
 
-/// `--csv` and `--csv-digits`, of commands that write CSV.
+/// Adds `--csv` and `--csv-digits`, for commands that write CSV.
 void add_csv_options(CLI::App& command, CsvStyle& style);
 
-/// Runs a command, tells what it found in its folders, and lists what it wrote. `case_file` is
-/// empty where it reads no case.
+/// Runs a command, reports changes in its folder, and lists the files that it wrote. `case_file` is empty if it reads
+/// no case.
 int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,
                  const std::string& case_file, const std::vector<std::string>& overrides);
 
-/// Lets the matrices of `influence` be kept between runs, and says how many are being made.
+/// Keeps the matrices of `influence` between runs, and shows how many are being computed.
 void open_matrix_cache(bool quiet);
-/// Why they could not be kept; empty where they were.
+/// Reason why they could not be kept; empty if they were.
 std::string matrix_cache_refusal();
-/// Says early that what draws PNG files is missing. Throws modules::Missing.
+/// Reports early that the module for PNG files is missing. Throws modules::Missing.
 void require_png();
 
-/// The main function of a program: makes the streams safe to write to, and exit statuses and lines
-/// on standard error of what `run` throws.
+/// Main function of a program: makes the streams safe to write to, and turns exceptions of `run` into exit statuses and
+/// lines on standard error.
 int run_program(int (*run)(int argc, char** argv), int argc, char** argv);
 
 /// Arguments of `prs validate`.

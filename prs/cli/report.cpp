@@ -13,7 +13,7 @@
 namespace prs::cli {
 namespace {
 
-/// As a shell takes it for one word.
+/// The word quoted for a shell.
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@%[]";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -51,7 +51,7 @@ void require_places(const Options& options) {
           input::shown(folder.string()));
 }
 
-/// Folders that were named, and have nothing of this case.
+/// Notes on named folders that have no results of this case.
 void note_empty_results(const Options& options, const input::Source& source) {
   for (const std::filesystem::path& folder : options.results)
     if (files_of_run(folder, "study", source).empty() && files_of_run(folder, "optimize", source).empty())
@@ -68,7 +68,7 @@ void write_html(const std::filesystem::path& path, std::string_view html) {
   file.publish();
 }
 
-/// The page of a case, written where the options say.
+/// Writes the page of a case to the place given by the options.
 Report write_page(const Options& options) {
   const input::Source source = case_source(options);
   PageOptions asked{command_of(options), options.results, !options.without_engine, live_parts_folder()};
@@ -81,7 +81,7 @@ Report write_page(const Options& options) {
   return report;
 }
 
-/// A page of this case in a new folder for temporary files.
+/// Path of a page of this case in a new temporary folder.
 std::filesystem::path temporary_page(const std::string& file) {
   std::string folder = (temporary_folder() / "prs-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) throw std::system_error(errno, std::generic_category(), folder);
@@ -89,14 +89,14 @@ std::filesystem::path temporary_page(const std::string& file) {
   return std::filesystem::path(folder) / ((stem.empty() || stem == "-" ? "case" : stem) + ".html");
 }
 
-/// What makes pages live. Throws std::runtime_error where there is none of this program.
+/// Parts of live pages. Throws std::runtime_error if there are none of this program.
 LiveParts require_live_parts() {
   LiveParts parts = read_live_parts(live_parts_folder());
   if (!parts.absent.empty()) throw std::runtime_error(parts.absent);
   return parts;
 }
 
-/// Hands a file to the desktop's program for it, and does not wait; false where there is none.
+/// Opens a file with the desktop's program for it, without waiting; false if there is none.
 bool open_in_browser(const std::filesystem::path& file) {
   posix_spawn_file_actions_t quiet;
   posix_spawn_file_actions_init(&quiet);

@@ -12,7 +12,7 @@ int run_command(int argc, char** argv) {
   Program program;
   add_commands(program);
   if (argc < 2) {
-    // A script with an empty variable must not pass for one that has computed something.
+    // A script with an empty variable must not look successful.
     say(overview(describe(program.app)));
     return kWrongInput;
   }

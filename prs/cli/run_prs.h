@@ -2,10 +2,10 @@
 
 namespace prs::cli {
 
-/// The program `prs`. Returns its exit status.
+/// Runs the program `prs`. Returns its exit status.
 int run_prs(int argc, char** argv);
 
-/// `prs validate`, with the arguments behind `prs`, of the folder validation/.
+/// Runs `prs validate`, with the arguments after `prs`; for the folder validation/.
 int run_validate(int argc, char** argv);
 
 }  // namespace prs::cli

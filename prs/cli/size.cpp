@@ -6,7 +6,7 @@
 namespace prs::cli {
 namespace {
 
-/// Candidates and the files that they go to, by `--write RANK FILE`.
+/// Candidates and their files, by `--write RANK FILE`.
 std::vector<std::pair<std::size_t, std::string>> written_of(const Options& options) {
   std::vector<std::pair<std::size_t, std::string>> all;
   if (options.write.size() % 2 != 0)

@@ -14,21 +14,21 @@
 namespace prs::cli {
 namespace {
 
-/// What all ranks must have been started with.
+/// Arguments that all ranks must have in common.
 std::string arguments(const Options& options) {
   return nlohmann::json{options.file, options.overrides, options.output ? options.output->string() : "",
                         options.threads}
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// Not the first rank: it says nothing and computes what it is given.
+/// Work of a rank other than the first: it prints nothing and computes its share.
 int assist(Ranks& ranks, const input::Source& source, std::size_t threads) {
   try {
     const input::StudyInput in = input::read_study_input(source);
     const DesignEngine engine = study_engine(in);
     ranks.assist(evaluate_with(engine), threads);
   } catch (const input::InputError&) {
-    // The first rank meets the same error and reports it.
+    // The first rank finds the same error and reports it.
   }
   return kDone;
 }
@@ -44,7 +44,7 @@ void show(ProgressLine& line, const StudyProgress& now) {
 
 std::string warning_note(const Warning& warning) { return "warning: " + printable(sentence(warning)); }
 
-/// Tables, figures and files of a study whose rows are complete.
+/// Writes tables, figures and files of a study whose rows are complete.
 int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Study& study,
                   const std::function<const DesignEngine&()>& engine, std::size_t threads, const Options& options) {
   const DocumentInfo info = document_info(in.source, Command::study);
@@ -79,7 +79,7 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
   return deliver(delivery, info, options);
 }
 
-/// The plan that is one case with its derivatives.
+/// Runs the plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
   const CaseDerivatives result = run_derivatives(in);
   const Delivery delivery{.file = "derivatives.json",
@@ -95,12 +95,12 @@ int derivatives(const input::StudyInput& in, const Options& options) {
   return deliver(delivery, document_info(in.source, Command::study), options);
 }
 
-/// Origin of the designs of a run; the counts add up.
+/// Origin of the designs of a run, as counts whose sum is their number.
 std::string origin(const StudyProgress& progress) {
   return fmt::format("{} were in the journal, {} computed", progress.found, progress.done - progress.found);
 }
 
-/// What a run that was stopped leaves behind.
+/// Reports the state of an interrupted study.
 int report_interrupted_study(const StudyProgress& progress, const Options& options) {
   say(fmt::format("prs: interrupted; {} designs: {}, {} left; {}\n", progress.total, origin(progress),
                   progress.total - progress.done,
@@ -157,7 +157,7 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads, cons
   }
   const int status = deliver_study(
       rows, in, study, [&]() -> const DesignEngine& { return engine; }, threads, options);
-  // Without a picture, the same command is to write it and need not compute again.
+  // If a picture failed, the same command should write it without a new computation.
   if (folder && status != kFailed) folder->remove_journals();
   return status;
 }
@@ -190,7 +190,7 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
           .converged = result.compromise.has_value()};
 }
 
-/// What a run that was stopped leaves behind.
+/// Reports the state of an interrupted search.
 int report_interruption(const Options& options) {
   say(fmt::format("prs: interrupted; {}\n", options.output ? "the same command continues from there"
                                                            : "with --output DIR an optimization can be continued"));
@@ -234,7 +234,7 @@ int merge_study(const Options& options) {
   const JournalHeader& header = rows.journals().front().header();
   input::Source source =
       input::source_of_text(header.source.name, header.source.text, header.source.overrides, header.source.folder);
-  source.files.emplace();  // A journal may come from anywhere: what it names is not opened.
+  source.files.emplace();  // A journal may come from anywhere: files that it names are not opened.
   const input::StudyInput in = input::read_study_input(source);
   if (!agree(header, in.study))
     throw StudyFolderError(

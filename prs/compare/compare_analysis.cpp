@@ -71,7 +71,7 @@ std::optional<double> largest_pressure(const LoadCaseResult& result) {
   return screw && nut ? std::max(*screw, *nut) : screw ? screw : nut;
 }
 
-/// Over the best model's; absent where either is.
+/// Stiffness over the best model's; absent if either is.
 std::optional<double> stiffness_over_best(const ComparedModel& m) {
   return over(m.result().axial_stiffness, m.best().axial_stiffness);
 }
@@ -138,7 +138,7 @@ namespace {
 constexpr std::size_t kLongestName = 19;
 
 std::string comparison_row(std::initializer_list<std::string> cells) {
-  constexpr std::size_t kWidths[] = {0, 10, 10, 6, 8, 12, 12, 13, 6};  // Behind the name.
+  constexpr std::size_t kWidths[] = {0, 10, 10, 6, 8, 12, 12, 13, 6};  // Widths of the columns after the name.
   std::string line = "  ";
   std::size_t column = 0;
   for (const std::string& cell : cells) {
@@ -210,9 +210,8 @@ std::vector<double> of_most_loaded_roller(const InterfaceLoads& loads) {
   return {from, from + loads.threads_per_roller};
 }
 
-/// One line per model, that of the most loaded roller of a full mechanism, and one panel per
-/// interface; of the load case that the options choose, else of the first that every model has an
-/// answer to.
+/// One line per model, that of the most loaded roller of a full mechanism, and one panel per interface; for the load
+/// case that the options choose, else the first with a result from every model.
 Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   const auto answered = [&](std::size_t k) {
     return std::ranges::all_of(c.models, [&](const Result& model) { return model.load_cases[k].threads.has_value(); });

@@ -5,7 +5,7 @@
 
 namespace prs {
 
-/// The answer of one model to one load case, and the comparison that it belongs to.
+/// Result of one model for one load case, and its comparison.
 struct ComparedModel {
   const ModelComparison* comparison = nullptr;
   std::size_t load_case = 0;
@@ -16,16 +16,16 @@ struct ComparedModel {
   const LoadCaseResult& best() const { return comparison->best().load_cases[load_case]; }
 };
 
-/// Number of the thread that carries most, from 1, of whichever roller.
+/// Number, from 1, of the most loaded thread of any roller.
 std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads);
 
 Record<ComparedModel> record_of(Type<ComparedModel>);
 Record<ModelComparison> record_of(Type<ModelComparison>);
 
-/// A row per load case and model, and the warnings below. Of many load cases the first.
+/// One row per load case and model, and the warnings below. If there are many load cases, the first ones.
 std::string comparison_table(const ModelComparison& result);
 
-/// `comparison.csv`: a row per load case and model.
+/// `comparison.csv`: one row per load case and model.
 std::string comparison_csv(const ModelComparison& result, const CsvStyle& style);
 
 const Analysis<ModelComparison>& compare_analysis();

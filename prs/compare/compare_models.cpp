@@ -18,8 +18,7 @@ Case with_bodies(Case c, Bodies bodies) {
   return c;
 }
 
-/// One sector in place of all rollers, under the axial force alone: what only a full
-/// mechanism has is left out.
+/// One sector in place of all rollers, under the axial force alone: inputs of a full mechanism only are left out.
 Case as_sector(Case c) {
   c.model.mechanism = ModelOptions::Mechanism::sector;
   c.model.contact_phase = ModelOptions::ContactPhase::equal;

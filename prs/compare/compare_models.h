@@ -6,13 +6,13 @@
 
 namespace prs {
 
-/// Results of a model of the bodies at the readings of a reference, and how far they lie from it.
+/// Results of a model of the bodies at the readings of a reference, and their deviations from it.
 struct ReferenceAnswer {
-  std::vector<double> computed;  ///< In the response's unit; NaN where there is no answer.
+  std::vector<double> computed;  ///< Results in the response's unit; NaN if there is none.
   std::optional<CurveDeviations> deviations;
-  std::optional<double> slope;  ///< Over the force, in the response's unit per N.
+  std::optional<double> slope;  ///< Slope over the force, in the response's unit per N.
   std::optional<double>
-      tolerance_use;  ///< Largest deviation over the tolerance at its point; infinite without an answer.
+      tolerance_use;  ///< Largest deviation over the tolerance at its point; infinite without a result.
 
   bool met() const { return !tolerance_use || *tolerance_use <= 1.0; }
 };
@@ -20,9 +20,9 @@ struct ReferenceAnswer {
 /// A reference and all models.
 struct ReferenceComparison {
   ReferenceCurve reference;
-  std::vector<ReferenceAnswer> models;  ///< As those of the comparison.
-  std::size_t stated = 0;               ///< The model that the case states: by it the tolerance is met or not.
-  /// Sum over a complete set of threads, and what the load makes of it.
+  std::vector<ReferenceAnswer> models;  ///< Same order as in the comparison.
+  std::size_t stated = 0;               ///< Index of the model that the case states, to which the tolerance applies.
+  /// Sum over a complete set of threads, and its value by the load.
   std::optional<double> sum, expected_sum;
   std::optional<double> slope;
 
@@ -31,27 +31,26 @@ struct ReferenceComparison {
 
 /// The load cases of a case, solved with each model of the bodies.
 struct ModelComparison {
-  std::vector<Result> models;     ///< The best model last; load cases alike in all.
-  std::vector<Warning> warnings;  ///< Warnings of the geometry, and why a model is left out.
-  std::size_t stated = 0;         ///< The model that the case states.
+  std::vector<Result> models;     ///< Results, the best model last; load cases are the same in all.
+  std::vector<Warning> warnings;  ///< Warnings of the geometry, and reasons why a model is left out.
+  std::size_t stated = 0;         ///< Index of the model that the case states.
   std::vector<ReferenceComparison> references = {};
 
   const Result& best() const { return models.back(); }
   std::size_t load_cases() const { return best().load_cases.size(); }
 };
 
-/// Solves the case with bars, refined bodies and, where the case asks for it or its matrices are
-/// kept, the influence model. Models that the case does not state are left out where they cannot
-/// be, with the reason. A full mechanism is compared with one sector of the same bodies, which
-/// knows the axial force and the parts that all rollers have in common. Load cases of equal shares
-/// are left out. Throws as `analyze` does.
+/// Solves the case with bars, refined bodies and, if the case requests it or its matrices are cached, the influence
+/// model. Models that the case does not state are left out if they are impossible, with the reason. A full mechanism is
+/// compared with one sector of the same bodies, which has the axial force and the parts that all rollers have in
+/// common. Load cases of equal shares are left out. Throws as `analyze` does.
 ModelComparison compare_models(const Case& c);
 
-/// The case as one of its models has it.
+/// The case with the settings of one of its models.
 Case case_of(const Case& c, const Result& model);
 
-/// Adds the references of a case with what each model says of them, and warnings on sums that the load
-/// does not explain. Throws InputError.
+/// Adds the references of a case with the results of each model, and warnings on sums that the load does not explain.
+/// Throws InputError.
 void compare_references(const input::Source& source, const Case& c, std::vector<ReferenceCurve> references,
                         ModelComparison& comparison);
 

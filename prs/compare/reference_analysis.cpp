@@ -34,7 +34,7 @@ struct ReferenceModel {
   }
 };
 
-/// A reading and what each model says there.
+/// A reading and the result of each model for it.
 struct ComparedReading {
   ComparedReference of;
   std::size_t index = 0;

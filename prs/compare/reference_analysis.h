@@ -5,7 +5,7 @@
 
 namespace prs {
 
-/// A reference and the models that it is compared with.
+/// A reference and the models that are compared with it.
 struct ComparedReference {
   const ModelComparison* comparison = nullptr;
   std::size_t index = 0;
@@ -19,17 +19,17 @@ Record<ComparedReference> record_of(Type<ComparedReference>);
 /// Adds `references` to the document, if there are any.
 void put_references(Json& document, const ModelComparison& c);
 
-/// A line per reference and model; empty without references.
+/// One line per reference and model; empty without references.
 std::string reference_table(const ModelComparison& c);
 
-/// `references.csv`: a row per reading, with what each model says there.
+/// `references.csv`: one row per reading, with the result of each model.
 std::string references_csv(const ModelComparison& c, const CsvStyle& style);
 
-/// The statistics as the page has them.
+/// Statistics as a table of the page.
 PageTable reference_page_table(const ModelComparison& c);
 
-/// References as points, with bars where their deviation is known, and models as lines: a panel per load
-/// case and response, a figure for each quantity.
+/// References as points, with bars if their deviation is known, and models as lines: a panel per load case and
+/// response, a figure for each quantity.
 Figures reference_figures(const ModelComparison& c, const FigureOptions& options);
 
 /// References over the threads, tension to one side and compression to the other: a panel per

@@ -14,7 +14,7 @@ namespace prs {
 struct PictureModule : modules::Module {
   static constexpr modules::Name kName{"prs_rsvg.so", "librsvg", "librsvg2-dev", ", or leave out --png"};
 
-  /// An SVG file as a PNG file, so many times as large. Throws std::runtime_error.
+  /// An SVG file as a PNG file, `scale` times as large. Throws std::runtime_error.
   std::string (*png)(const std::string& svg, double scale);
 };
 
@@ -22,11 +22,10 @@ struct PictureModule : modules::Module {
 struct PipelineModule : modules::Module {
   static constexpr modules::Name kName{"prs_tbb.so", "TBB", "libtbb-dev", ", or take --threads 1"};
 
-  /// Sends work through three steps. At most `places` pieces are under way at once, each in a place
-  /// of its own. `give` fills one place at a time until it returns false. `prepare` runs on
-  /// `threads` threads, even where there are fewer processors. `take` gets one piece at a time,
-  /// with `in_order` in the order in which they were given. An exception in a step ends the run and
-  /// is thrown again.
+  /// Sends work through three steps. At most `places` items are processed at once, each in a slot of its own. `give`
+  /// fills one slot at a time until it returns false. `prepare` runs on `threads` threads, even if there are fewer
+  /// processors. `take` gets one item at a time, with `in_order` in the order in which they were given. An exception in
+  /// a step ends the run and is rethrown.
   void (*run)(std::size_t threads, std::size_t places, bool in_order,
               const std::function<bool(std::size_t place)>& give, const std::function<void(std::size_t place)>& prepare,
               const std::function<void(std::size_t place)>& take);
@@ -34,15 +33,14 @@ struct PipelineModule : modules::Module {
 
 using Points = std::vector<std::vector<double>>;
 
-/// Fitness of points of the unit cube, one row per objective, less being better. What it throws
-/// ends the search.
+/// Fitness of points of the unit cube, one row per objective, less being better. Exceptions end the search.
 using EvaluatePoints = std::function<Points(const Points&)>;
 
-/// How an algorithm searches the unit cube.
+/// Settings of an algorithm that searches the unit cube.
 struct SearchOptions {
   Algorithm algorithm = Algorithm::nsga2;
   std::size_t objectives = 2;
-  std::size_t generations = 50;  ///< The first population included.
+  std::size_t generations = 50;  ///< Number of generations, the first population included.
   std::uint64_t seed = 1;
 };
 
@@ -50,18 +48,17 @@ struct SearchOptions {
 struct SearchModule : modules::Module {
   static constexpr modules::Name kName{"prs_pagmo.so", "pagmo", "libpagmo-dev", ""};
 
-  /// Evaluates the first population in one call and lets pagmo evolve it: generations x population
-  /// points in all, in an order that depends on the options and the answers alone. All algorithms
-  /// ask for a generation at a time but MOEA/D, whose next point depends on the answer to the last.
+  /// Evaluates the first population in one call and lets pagmo evolve it: generations x population points in all, in an
+  /// order that depends only on the options and the answers. All algorithms ask for a generation at a time except
+  /// MOEA/D, whose next point depends on the answer to the last.
   void (*search_cube)(const SearchOptions& options, const Points& first_population, const EvaluatePoints& evaluate);
 
   /// Volume between the points and a corner that each of them dominates. Empty: 0.
   double (*hypervolume)(const Points& points, const std::vector<double>& corner);
 };
 
-/// A netCDF-4 file of columns of the same length. Columns and attributes come before numbers. All
-/// of it throws std::system_error or std::runtime_error that name the file. Without `close` the
-/// file is not finished.
+/// A netCDF-4 file of columns of the same length. Columns and attributes come before numbers. All members throw
+/// std::system_error or std::runtime_error that name the file. Without `close` the file is incomplete.
 class ColumnFile {
  public:
   enum class Type { real, integer, byte };
@@ -69,7 +66,7 @@ class ColumnFile {
   /// Integers have the type of the column; a list of one is a scalar.
   using Attribute = std::variant<std::string, std::vector<std::string>, double, unsigned long long, std::vector<int>>;
 
-  /// Stands for the file itself where a column's number is expected.
+  /// The file itself, in place of a column's number.
   static constexpr int kFile = -1;
 
   ColumnFile() = default;
@@ -92,12 +89,12 @@ class ColumnFile {
 struct NetcdfModule : modules::Module {
   static constexpr modules::Name kName{"prs_netcdf.so", "netCDF", "libnetcdf-dev", ""};
 
-  /// A new file at `path`; messages name it `name`.
+  /// Creates a file at `path`; messages name it `name`.
   std::unique_ptr<ColumnFile> (*create)(const std::filesystem::path& path, const std::filesystem::path& name);
 };
 
-/// The processes that an MPI launcher started together, numbered from 0. Only one thread of each
-/// uses it, but for `abort`. The end of the object waits for those of all others.
+/// Processes started together by an MPI launcher, numbered from 0. Only one thread of each uses it, except for `abort`.
+/// The destructor waits for those of all others.
 class Communicator {
  public:
   struct Message {
@@ -113,15 +110,15 @@ class Communicator {
 
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  /// Processors that all processes of this machine may use, for each of these. At least 1.
+  /// Number of processors for each process of this machine. At least 1.
   virtual int processors_each() = 0;
 
   virtual void send(int rank, int tag, std::string_view content) = 0;
   /// A message that has arrived and was not received yet. Does not wait.
   virtual std::optional<Message> receive() = 0;
 
-  /// Every process must call these two. The first sends what rank 0 hands over, if anything, to
-  /// all; the second tells whether a condition holds on all.
+  /// Collective calls, for every process. The first sends the text of rank 0, if any, to all; the second returns
+  /// whether a condition holds on all.
   virtual void broadcast(std::optional<std::string>& text) = 0;
   virtual bool all(bool own) = 0;
 

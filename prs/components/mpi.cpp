@@ -1,4 +1,4 @@
-// The C++ bindings that MPI has dropped.
+// Omits the C++ bindings that MPI has dropped.
 #define OMPI_SKIP_MPICXX
 #include <mpi.h>
 #include <sched.h>
@@ -21,7 +21,7 @@ class MpiCommunicator : public Communicator {
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
   }
   ~MpiCommunicator() override {
-    // MPI_Finalize would wait for the first rank, which writes files now, with a busy processor.
+    // MPI_Finalize would wait for the first rank, which now writes files, and keep a processor busy.
     MPI_Request barrier = MPI_REQUEST_NULL;
     MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
     for (int done = 0; done == 0; std::this_thread::sleep_for(std::chrono::microseconds(100)))

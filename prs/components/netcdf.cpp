@@ -14,7 +14,7 @@ namespace {
 
 static_assert(ColumnFile::kFile == NC_GLOBAL);
 
-/// HDF5 does not survive where memory ends: whether it has some to spare.
+/// Whether there is memory to spare: HDF5 does not survive running out of it.
 bool has_memory() {
   constexpr std::size_t kSpare = std::size_t{16} << 20;
   void* const memory = ::mmap(nullptr, kSpare, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

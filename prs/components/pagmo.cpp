@@ -19,16 +19,16 @@ namespace {
 
 using pagmo::vector_double;
 
-/// Points of one generation of an algorithm that asks for them one after the other, although none
-/// depends on the answers to the others. In a rehearsal on copies they are written down; then all
-/// are evaluated at once, and the algorithm itself finds the answers here.
+/// Points of one generation of an algorithm that asks for them one after the other, although none depends on the
+/// answers to the others. In a rehearsal on copies they are recorded; then all are evaluated at once, and the algorithm
+/// itself finds the answers here.
 struct Generation {
   bool rehearsal = false;
   Points points, answers;
   std::size_t next = 0;
 };
 
-/// The unit cube as pagmo's problem.
+/// The unit cube as a problem for pagmo.
 struct CubeProblem {
   std::size_t dimensions = 1;
   std::size_t objectives = 1;
@@ -72,7 +72,7 @@ void evolve_rehearsed(const pagmo::algorithm& algorithm, std::size_t generations
   }
 }
 
-/// Whether `algorithm_of` gives one for `evolve_rehearsed`.
+/// Whether `algorithm_of` gives an algorithm for `evolve_rehearsed`.
 bool is_rehearsed(Algorithm algorithm) { return algorithm == Algorithm::sade || algorithm == Algorithm::cmaes; }
 
 template <class A>
@@ -81,13 +81,13 @@ pagmo::algorithm in_batches(A algorithm) {
   return pagmo::algorithm(std::move(algorithm));
 }
 
-/// The algorithm with pagmo's own settings, except that none stops before its last generation.
+/// The algorithm with pagmo's default settings, except that none stops before its last generation.
 pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensions, std::size_t population) {
   const auto generations = static_cast<unsigned>(options.generations - 1);
   const auto seed = static_cast<unsigned>(options.seed ^ (options.seed >> 32U));
   switch (options.algorithm) {
     case Algorithm::nsga2:
-      // A variable mutates with probability 1/n, as its authors have it.
+      // A variable mutates with probability 1/n, as in the authors' paper.
       return in_batches(pagmo::nsga2(generations, 0.95, 10.0, 1.0 / static_cast<double>(dimensions), 50.0, seed));
     case Algorithm::nspso: {
       pagmo::nspso swarm(generations);
@@ -129,7 +129,7 @@ void search_cube(const SearchOptions& options, const Points& first_population, c
 
 double hypervolume(const Points& points, const std::vector<double>& corner) {
   if (points.empty()) return 0.0;
-  if (corner.size() == 1) {  // pagmo's has two dimensions at least.
+  if (corner.size() == 1) {  // pagmo needs at least two dimensions.
     double best = corner[0];
     for (const std::vector<double>& point : points) best = std::min(best, point[0]);
     return corner[0] - best;

@@ -11,8 +11,8 @@
 namespace prs {
 namespace {
 
-/// Tells the thread sanitizer what oneTBB, which comes without it, does by atomics: what happened
-/// before `give` has happened after `take` of the same object. Nothing without that sanitizer.
+/// Reports to the thread sanitizer how oneTBB, which is not instrumented, synchronises by atomics: what happened before
+/// `give` has happened after `take` of the same object. Does nothing without that sanitizer.
 class HandOver {
  public:
 #ifdef PRS_THREAD_SANITIZER
@@ -28,7 +28,7 @@ void run(std::size_t threads, std::size_t places, bool in_order, const std::func
          const std::function<void(std::size_t)>& prepare, const std::function<void(std::size_t)>& take) {
   tbb::concurrent_queue<std::size_t> idle;
   for (std::size_t place = 0; place < places; ++place) idle.push(place);
-  // From filter to filter, and from one call of a serial filter to the next.
+  // Between filters, and between calls of a serial filter.
   std::vector<HandOver> at(places);
   HandOver first, last;
   first.give();

@@ -24,13 +24,13 @@ constexpr double kSeries2[] = {0.22e-3, 0.28e-3, 0.35e-3,  0.45e-3,  0.55e-3, 0.
 
 double involute(double angle) { return std::tan(angle) - angle; }
 
-/// z_body -+ z_roller, of an internal or an external pair.
+/// z_body -+ z_roller, for an internal or an external pair.
 int teeth_between(Mechanism::Type type, const GearPair& pair) {
   return type == Mechanism::Type::standard ? pair.body_teeth - pair.roller_teeth : pair.body_teeth + pair.roller_teeth;
 }
 
-/// Working pressure angle and profile shift; false where base circles do not let them mesh or the
-/// shift is too large.
+/// Sets working pressure angle and profile shift; false if base circles do not let the gears mesh or the shift is too
+/// large.
 bool fit(Mechanism::Type type, double centre_distance, GearPair& pair) {
   const int teeth = teeth_between(type, pair);
   const double cosine = 0.5 * pair.module * teeth / centre_distance * std::cos(kPressureAngle);
@@ -44,7 +44,7 @@ bool fit(Mechanism::Type type, double centre_distance, GearPair& pair) {
 constexpr int kFewestStarts = 3, kMostStarts = 10;
 constexpr int kMostRollerStarts = 3;
 
-/// Rolling diameters by the starts; without sense where `too_few_starts`.
+/// Rolling diameters by the starts; meaningless if `too_few_starts`.
 PerPart<double> rolling_diameters(const Mechanism& m, double screw_diameter) {
   const contact::PitchRadii radii =
       contact::matched_pitch_radii(threads_of(m).type, 0.5 * screw_diameter, m.starts.screw, m.starts.roller);
@@ -101,7 +101,7 @@ void count_rollers(Configuration& c, const ConfigurationQuery& query, double cre
   c.gears = gear_pairs(c.mechanism.type, c.mechanism.starts, c.centre_distance, c.mechanism.rollers, query.gap);
 }
 
-/// What `prs check` would say of the mechanism, the first of it; empty where nothing.
+/// First warning of `prs check` about the mechanism; empty if there is none.
 std::string first_warning(const Mechanism& mechanism, const Contacts& contacts) {
   Case c;
   c.mechanism = mechanism;
@@ -110,12 +110,12 @@ std::string first_warning(const Mechanism& mechanism, const Contacts& contacts) 
   return {};
 }
 
-/// Why starts are left out; no reason where they are not.
+/// Reason why starts are left out; no reason if they are kept.
 struct Verdict {
   std::string reason = {}, detail = {};
 };
 
-/// The mechanism with these starts, in `c`.
+/// Tries the mechanism with these starts, and stores it in `c`.
 Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechanism::Starts starts, Configuration& c) {
   if (too_few_starts(type, starts))
     return {
@@ -162,7 +162,7 @@ int most_rollers(double centre_distance, double outer_radius, double gap) {
   constexpr double kMost = 1000.0;
   const double ratio = (outer_radius + 0.5 * gap) / centre_distance;
   if (!(ratio < 1.0)) return 1;
-  // A hair of tolerance, so that rollers that just reach the gap count.
+  // Small tolerance, so that rollers that just fit count.
   return static_cast<int>(std::min(kMost, std::floor(std::numbers::pi / std::asin(ratio) * (1.0 + 1e-12))));
 }
 
@@ -242,9 +242,9 @@ int contacts_over(double length, double pitch) { return static_cast<int>(std::lr
 /// Threads of screw, rollers and nut, without their number of contacts.
 struct Threads {
   Mechanism mechanism;
-  std::optional<Contacts> contacts;  ///< Absent where nothing rolls.
+  std::optional<Contacts> contacts;  ///< Absent if nothing rolls.
   int most_rollers = 0;
-  std::string reason = {};  ///< Why nothing rolls.
+  std::string reason = {};  ///< Reason why nothing rolls.
 };
 
 Mechanism draft_of(const ScrewData& d, int starts) {
@@ -262,7 +262,7 @@ Mechanism draft_of(const ScrewData& d, int starts) {
   return m;
 }
 
-/// What keeps contacts from rolling without play; empty where they do.
+/// Reason why contacts cannot roll without play; empty if they can.
 std::string obstacle(const Mechanism& m, std::optional<Contacts>& contacts) {
   try {
     contacts = find_contacts(m, Materials{kSteel, kSteel, kSteel}, Detail::numbers);
@@ -274,9 +274,8 @@ std::string obstacle(const Mechanism& m, std::optional<Contacts>& contacts) {
   return {};
 }
 
-/// As a maker cuts threads, but no more than 95 % of what sharp ones have. Crests are counted from
-/// the nominal radius: without play the pitch line of one part lies up to 0.04 p below it, outer
-/// diameters of a catalogue do not.
+/// Height as makers cut threads, but no more than 95 % of that of sharp ones. Crests are counted from the nominal
+/// radius, as outer diameters of a catalogue are: without play the pitch line of one part lies up to 0.04 p below it.
 ThreadHeight thread_height(const contact::Thread& thread, double nominal_radius, double pitch) {
   const contact::RadiusLimits limits = contact::flank_limits(thread);
   double crest = limits.largest - thread.pitch_radius, root = thread.pitch_radius - limits.smallest;
@@ -297,7 +296,7 @@ Threads threads_for(const ScrewData& d, int starts) {
     const std::optional<Contacts> sharp = t.contacts;
     const PerPart<double> nominal = nominal_radii(d, roller);
     for (const Part p : kParts) t.mechanism.thread[p] = thread_height(thread_of(sharp->threads, p), nominal[p], pitch);
-    if (!obstacle(t.mechanism, t.contacts).empty()) {  // Contacts lie beyond a maker's crest.
+    if (!obstacle(t.mechanism, t.contacts).empty()) {  // Contacts are beyond a maker's crest.
       t.mechanism.thread = {};
       t.contacts = sharp;
     }
@@ -320,7 +319,7 @@ Threads threads_for(const ScrewData& d, int starts) {
 
 bool rolls(const ScrewData& d, int starts) { return threads_for(d, starts).contacts.has_value(); }
 
-/// The value nearest to one that does not work which does, on the way to one that does.
+/// Nearest working value to `wrong`, between it and `right`, which works.
 template <class Works>
 double nearest(double wrong, double right, Works works) {
   for (int k = 0; k < 40; ++k) {
@@ -330,7 +329,7 @@ double nearest(double wrong, double right, Works works) {
   return right;
 }
 
-/// Rounded to three digits, downwards or upwards.
+/// Value rounded to three digits, downwards or upwards.
 double rounded(double value, double (*rounding)(double)) {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
   return rounding(value / digit) * digit;
@@ -342,13 +341,13 @@ double up(double value) {
   return rounded(value * (1.0 - 1e-12), [](double x) { return std::ceil(x); });
 }
 
-/// Two significant digits.
+/// Value rounded to two significant digits.
 double proposed(double value) {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return std::round(value / digit) * digit;
 }
 
-/// Whole millimetres.
+/// Length rounded to whole millimetres.
 double whole(double length) { return 1e-3 * std::round(1e3 * length); }
 
 int usual_starts(const ScrewData& d) {
@@ -384,7 +383,8 @@ void check_starts(const ScrewData& d) {
                                           *d.starts, fewest, kStartsLimit, is_standard(d) ? "starts - 2" : "starts"));
 }
 
-/// An arc turns parallel to the axis r (1 - sin(flank angle)) above the pitch line.
+/// Checks that an arc, which becomes parallel to the axis r (1 - sin(flank angle)) above the pitch line, is high
+/// enough.
 void check_profile_radius(const ScrewData& d, int starts) {
   if (!d.roller_profile_radius) return;
   const double pitch = std::abs(d.lead) / starts;
@@ -455,7 +455,7 @@ double nut_outer_diameter(const ScrewData& d, const Mechanism& m, double pitch_d
   return *d.nut_diameter;
 }
 
-/// Axial force at which equal shares bring an ellipse to the end of a flank [N].
+/// Axial force at which, with equal shares, an ellipse reaches the end of a flank [N].
 double edge_force(const Mechanism& m, const Contacts& contacts) {
   double force = std::numeric_limits<double>::infinity();
   for (const Interface i : kInterfaces) {

@@ -26,11 +26,11 @@ namespace prs {
 /// does not arise, since each roller has one gear mesh only. It is assumed that on every roller
 /// teeth and threads stand in the same relation, and at both ends.
 
-/// Fewer do not centre the screw.
+/// Smallest number of rollers that centre the screw.
 inline constexpr int kFewestRollers = 3;
 
-/// Largest number of rollers of this outer radius whose neighbours are `gap` apart, (1.47) with
-/// r + gap/2; at most 1000, and 1 where even two would not fit.
+/// Largest number of rollers of this outer radius whose neighbours are `gap` apart, (1.47) with r + gap/2; at most
+/// 1000, and 1 if not even two would fit.
 int most_rollers(double centre_distance, double outer_radius, double gap);
 
 /// Turn of a roller in the planet carrier against its neighbour [rad], in the sense in which the
@@ -38,8 +38,8 @@ int most_rollers(double centre_distance, double outer_radius, double gap);
 /// rollers' threads repeat. Standard -(n_S/n_R) 2 pi/N, inverted +(n_S/n_R) 2 pi/N.
 double indexing_angle(Mechanism::Type type, Mechanism::Starts starts, int rollers);
 
-/// Whether every roller goes in alike, turned the same way as seen from its place: n_S/N whole.
-/// Other numbers need marks, or rollers that find their turn by rolling in from one place.
+/// Whether every roller is assembled at the same turn as seen from its place: n_S/N whole. Other numbers need marks, or
+/// rollers that find their turn by rolling in from one place.
 bool go_in_alike(Mechanism::Starts starts, int rollers);
 
 /// Spur gears that keep the rollers in step, by numbers and module: pinions at the ends of the
@@ -49,41 +49,40 @@ struct GearPair {
   int roller_teeth = 0;                 ///< z_R, a multiple k n_R of the roller's starts.
   int body_teeth = 0;                   ///< z_N or z_S, k n_S: the ratio of the leads exactly.
   double module = 0.0;                  ///< m [m]
-  int series = 1;                       ///< 1 is to be preferred to 2.
+  int series = 1;                       ///< Series; 1 is preferred to 2.
   double working_pressure_angle = 0.0;  ///< alpha_w at the centre distance of the threads [rad].
-  /// x_N - x_R (standard) or x_S + x_R (inverted), in modules, that brings reference gears to that
-  /// centre distance; how it is shared is left to the designer.
+  /// x_N - x_R (standard) or x_S + x_R (inverted), in modules, that brings reference gears to that centre distance; the
+  /// designer chooses how to share it.
   double profile_shift = 0.0;
-  int most_rollers = 0;  ///< Whose threads and pinions clear each other.
+  int most_rollers = 0;  ///< Largest number of rollers whose threads and pinions clear each other.
 };
 
-/// Gears that fit a centre distance c [m] (Sandu 2018, (2.1) with the operating pitch radii
-/// c Gamma/(1 -+ Gamma)). With the reference centre distance a = m (z_body -+ z_R)/2:
+/// Gears that fit a centre distance c [m] (Sandu 2018, (2.1) with the operating pitch radii c Gamma/(1 -+ Gamma)). With
+/// the reference centre distance a = m (z_body -+ z_R)/2:
 ///
 ///     cos(alpha_w) = (a/c) cos(20 deg),
 ///     profile shift = (z_body -+ z_R)(inv alpha_w - inv 20 deg)/(2 tan 20 deg).
 ///
-/// Modules of ISO 54, below 1 mm of DIN 780-1, from 0.2 to 10 mm. Pinions of 12 to 40 teeth (below
-/// 18, x_R >= 1 - z_R sin(20 deg)^2/2 keeps them from undercut); profile shifts up to 1, half a
-/// module for either gear. `gap` [m] is kept free between the tips of neighbours, m above the
-/// operating pitch circle; `rollers` is what the threads leave room for. Strength is not looked at,
-/// nor whether the teeth are higher than the threads.
+/// Modules of ISO 54, below 1 mm of DIN 780-1, from 0.2 to 10 mm. Pinions of 12 to 40 teeth (below 18, x_R >= 1 - z_R
+/// sin(20 deg)^2/2 avoids undercut); profile shifts up to 1, half a module for either gear. `gap` [m] is kept free
+/// between the tips of neighbours, m above the operating pitch circle; `rollers` is the number for which the threads
+/// have space. Strength is not checked, nor whether the teeth are higher than the threads.
 ///
-/// The pairs that hold most rollers come first, then those of series 1, then those of least shift,
-/// to a tenth of the module, and of fewest teeth.
+/// The pairs that allow most rollers come first, then those of series 1, then those of least shift, to a tenth of the
+/// module, and of fewest teeth.
 std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts, double centre_distance, int rollers,
                                  double gap);
 
-/// What is known of a mechanism before it is drawn. SI units.
+/// Data of a mechanism before it is designed. SI units.
 struct ConfigurationQuery {
   double screw_diameter = 0.0;                   ///< Pitch diameter [m], > 0.
-  double lead = 0.0;                             ///< [m], not 0; > 0 right-handed.
+  double lead = 0.0;                             ///< Lead [m], not 0; > 0 right-handed.
   double flank_angle = 0.25 * std::numbers::pi;  ///< alpha_n of all parts [rad].
   std::optional<Mechanism::Type> type;           ///< Absent: both types.
   std::optional<int> screw_starts;               ///< Absent: 3 to 10.
   std::optional<int> roller_starts;              ///< Absent: 1 to 3.
   std::optional<int> rollers;                    ///< Absent: as many as fit.
-  double gap = 0.0;                              ///< Least gap between the crests of neighbouring rollers [m].
+  double gap = 0.0;                              ///< Smallest gap between the crests of neighbouring rollers [m].
   std::optional<double> roller_profile_radius;   ///< r_BR [m]; absent: arcs about the axis.
 };
 
@@ -99,16 +98,16 @@ struct Configuration {
   PerPart<double> pitch_diameter;
   double centre_distance = 0.0;  ///< c [m], for no backlash.
   double gear_ratio = 0.0;       ///< Gamma = n_R/n_S = d_R/d_N or d_R/d_S (2.1).
-  PerPart<double> lead;          ///< < 0 left-handed [m].
-  PerPart<double> helix_angle;   ///< [rad], sign of the lead.
-  int most_rollers = 0;          ///< Most rollers that fit with the gap; any smaller number meshes.
+  PerPart<double> lead;          ///< Lead, < 0 left-handed [m].
+  PerPart<double> helix_angle;   ///< Helix angle with the sign of the lead [rad].
+  int most_rollers = 0;          ///< Largest number of rollers that fit with the gap; any smaller number meshes.
   double crest_gap = 0.0;        ///< Gap between neighbours with mechanism.rollers [m].
   double moderate_force = 0.0;   ///< Axial force for `kModeratePressure` with equal shares [N].
-  std::vector<int> alike;        ///< Numbers of rollers that are all assembled at one angle.
-  std::vector<GearPair> gears;   ///< Most suitable first.
+  std::vector<int> alike;        ///< Numbers of rollers that can all be assembled at one angle.
+  std::vector<GearPair> gears;   ///< Gears, most suitable first.
 };
 
-/// Starts that give no sound mechanism, and why.
+/// Starts that give no consistent mechanism, and the reason.
 struct LeftOut {
   Mechanism::Type type = Mechanism::Type::standard;
   Mechanism::Starts starts;
@@ -121,96 +120,92 @@ struct Configurations {
   std::vector<LeftOut> left_out;
 };
 
-/// Every combination of starts that gives a sound mechanism: rollers no thicker than the screw, at
-/// least three of them (or the number asked for) with the gap between their crests, point contact
-/// at both interfaces with no backlash, and nothing that `prs check` would find unusual.
+/// Every combination of starts that gives a consistent mechanism: rollers no thicker than the screw, at least three of
+/// them (or the requested number) with the gap between their crests, point contact at both interfaces with no backlash,
+/// and no warning of `prs check`.
 Configurations configurations(const ConfigurationQuery& query);
 
-/// What is known of a screw before there is a case: what catalogues print, above all. SI units;
-/// what is absent follows by rule.
+/// Data of a screw before there is a case, mainly from catalogues. SI units; absent values follow by rule.
 struct ScrewData {
   Mechanism::Type type = Mechanism::Type::standard;
-  double screw_diameter = 0.0;                   ///< Nominal, the pitch diameter d [m], > 0.
+  double screw_diameter = 0.0;                   ///< Nominal diameter, the pitch diameter d [m], > 0.
   double lead = 0.0;                             ///< l of screw and nut [m]; < 0 left-handed.
   std::optional<int> starts = {};                ///< n of screw and nut.
   int roller_starts = 1;                         ///< n_R
   double flank_angle = 0.25 * std::numbers::pi;  ///< Flank angle of all parts [rad].
-  std::optional<double> nut_diameter = {};       ///< D, outer, of a plain cylinder [m].
-  /// L [m]: of the whole nut; inverted of the tube in which the rollers travel.
+  std::optional<double> nut_diameter = {};       ///< D, outer diameter of a plain cylinder [m].
+  /// L [m] of the whole nut; for an inverted screw of the tube in which the rollers travel.
   std::optional<double> nut_length = {};
   std::optional<int> rollers = {};
   std::optional<double> roller_profile_radius = {};  ///< r_B of the roller's convex flanks [m].
-  std::optional<double> load = {};                   ///< Axial [N], > 0.
-  std::optional<double> speed = {};                  ///< Screw against nut [rad/s], > 0.
-  /// Numbers as somebody wrote them, by the names of these members: `lead` -> `1/2 in`.
+  std::optional<double> load = {};                   ///< Axial load [N], > 0.
+  std::optional<double> speed = {};                  ///< Speed of screw against nut [rad/s], > 0.
+  /// Numbers as the user wrote them, by the names of these members: `lead` -> `1/2 in`.
   std::map<std::string, std::string> as_written = {};
 };
 
-/// A screw with nothing missing for the load distribution, and what goes with it. SI units.
+/// A screw with all inputs of the load distribution, and related results. SI units.
 struct CompleteScrew {
   ScrewData data;
   /// Mechanism (design mode, no backlash), structure and materials; without load cases.
   Case c;
   PerPart<double> pitch_diameter;
   double centre_distance = 0.0;
-  int most_rollers = 0;         ///< Most that fit before their crests touch.
-  std::vector<GearPair> gears;  ///< Most suitable first.
+  int most_rollers = 0;         ///< Largest number that fits before crests touch.
+  std::vector<GearPair> gears;  ///< Gears, most suitable first.
   double position = 0.0;        ///< Position of the first contact on the nut, rollers in the middle [m].
   double load = 0.0, speed = 0.0;
 };
 
-/// Case-hardened bearing steel; density that of the catalogue in validation/standard_screws.
+/// Case-hardened bearing steel; its density is that in the catalogue in validation/standard_screws.
 inline constexpr Material kSteel{210e9, 0.3, 7800.0, 11.5e-6};
 
 /// Peak pressure of a first proposal [Pa]: 9 % of the load at which 4.0 GPa are reached.
 inline constexpr double kModeratePressure = 1.8e9;
-/// Greatest stress in the screw of a proposed load [Pa]: threads of slender screws share unevenly.
+/// Largest stress in the screw for a proposed load [Pa]: threads of slender screws share unevenly.
 inline constexpr double kModerateStress = 50e6;
 
-/// Greatest part of the load that brings an ellipse to the end of a flank with equal shares: the
-/// most loaded thread of a slender screw carries twice the mean and more.
+/// Largest share of the load that brings an ellipse to the end of a flank with equal shares: the most loaded thread of
+/// a slender screw carries twice the mean and more.
 inline constexpr double kModerateEdgeShare = 0.25;
 
-// Rules, from the 24 standard screws in validation/standard_screws. d_N is the nut's pitch
-// diameter.
+/// Share of the nut's length with threads. This and the following rules are from the 24 standard screws in
+/// validation/standard_screws; d_N is the nut's pitch diameter.
 
-/// Part of the nut's length that carries threads.
 inline constexpr double kThreadedShare = 0.68;
-/// r_B of the roller's flanks in pitches: with it C_0 hardly depends on the lead, as makers have
-/// it.
+/// r_B of the roller's flanks in pitches: with it C_0 hardly depends on the lead, as in makers' catalogues.
 inline constexpr double kProfileRadius = 5.0;
 /// Nut of D = 1.155 d_N + 5.8 mm, 0.96 to 1.03 times the printed ones, and L = 1.26 d_N + 20.5 mm,
 /// 0.84 to 1.15 times: least squares of the ratios.
 inline constexpr double kNutDiameterSlope = 1.155, kNutDiameterOffset = 5.8e-3;
 inline constexpr double kNutLengthSlope = 1.26, kNutLengthOffset = 20.5e-3;
-/// Most threads of a roller in a nut by rule, in roller diameters; the catalogue has up to 8.
+/// Largest length of a roller's threads in a nut by rule, in roller diameters; the catalogue has up to 8.
 inline constexpr double kSlendernessOfRollers = 15.0;
 /// Toothed ends of the rollers: part of the length that the threads leave in the nut, and their
 /// diameter over the roller's, so that the rollers' inertia is 0.83 to 1.18 times the printed ones.
 inline constexpr double kRollerEndsShare = 0.9, kRollerEndDiameter = 0.92;
 /// Friction of the flanks with which efficiencies, mixed friction of the heads included, are 0.89 to 1.05 times the
-/// printed ones, and agree with them in the mean.
+/// printed ones, and equal in the mean.
 inline constexpr double kFlankFriction = 0.1;
 /// Heads of the rollers in the carrier, over the roller's diameter; a short bearing.
 inline constexpr double kHeadLength = 0.5, kHeadDiameter = 0.6, kHeadClearance = 0.005;
 /// Thinnest roller of the catalogue [m], which has fewer than 5 starts only where rollers would be
 /// thinner.
 inline constexpr double kThinnestRoller = 4e-3;
-/// Threads of an inverted screw's roller along so many screw diameters, and its nut over so many
-/// lengths of these: about as in Abevi 2015.
+/// Length of an inverted screw's roller threads in screw diameters, and of its nut in such lengths: about as in Abevi
+/// 2015.
 inline constexpr double kInvertedThreads = 1.6, kInvertedNut = 3.0;
-/// Part of the limit that makers set to speed times diameter.
+/// Share of the makers' limit of speed times diameter.
 inline constexpr double kSpeedShare = 0.5;
 
 /// Peak pressure with equal shares beyond which a load is refused [Pa]: twice the static capacity
 /// by 4.0 GPa, as makers' capacities are up to 1.5 times the computed ones.
 inline constexpr double kGreatestPressure = 5.0e9;
-/// Part of a maker's crest height that arcs must reach before they turn parallel to the axis.
+/// Share of a maker's crest height that arcs must reach before they become parallel to the axis.
 inline constexpr double kLeastThreadHeight = 0.5;
 
-/// Radii of screw, rollers and nut [m] from which crests are counted: d/2, d_R/2, d/2 + d_R. The
-/// pitch radii without play differ from them by up to 0.04 pitches, at the screw or, inverted, the
-/// nut.
+/// Radii of screw, rollers and nut [m] from which crests are counted: d/2, d_R/2, d/2 + d_R. The pitch radii without
+/// play differ from them by up to 0.04 pitches, at the screw or, for inverted screws, the nut.
 PerPart<double> nominal_radii(const ScrewData& data, double roller_diameter);
 
 /// Axial force at which equal shares reach `kModeratePressure` [N]; both contacts must be Hertz's.
@@ -234,44 +229,42 @@ CompleteScrew complete_screw(const ScrewData& data);
 /// Thermal conductivity of bearing steel [W/(m K)].
 inline constexpr double kSteelConductivity = 46.0;
 
-/// Conductances of a screw of which only sizes are known, in still air and without a housing: a
-/// first guess that is on the safe side. With h = `kStillAir` and k = `kSteelConductivity`:
+/// Conductances of a screw of which only sizes are known, in still air and without a housing: a first guess on the safe
+/// side. With h = `kStillAir` and k = `kSteelConductivity`:
 ///
-///     nut      h times its surface but the bore
-///     screw    two fins of the shaft's length beyond the nut, sqrt(h P k A) tanh(L sqrt(h P/(k
-///     A))) contact  2 k sqrt(a b) for each ellipse under equal shares of the proposed load, both
-///     bodies
+///     nut      h times its surface without the bore
+///     screw    two fins of the shaft's length beyond the nut, sqrt(h P k A) tanh(L sqrt(h P/(k A)))
+///     contact  2 k sqrt(a b) for each ellipse under equal shares of the proposed load, both bodies
 ///              half spaces (Holm, Electric Contacts, 1967; a circle of the same area)
 ///
 /// Grease in the gaps and the motion of the contacts, which both conduct more, are left out.
 Heat::Conductance estimated_conductance(const CompleteScrew& screw, double shaft_length);
 
-/// The lubricant of a case that is written.
+/// Lubricant of a written case.
 struct CaseLubricant {
   std::string name = "iso-vg-100";
   double temperature = 333.15;              ///< [K]
-  std::string temperature_as_written = {};  ///< Empty where it is assumed.
-  bool assumed = true;                      ///< The name.
+  std::string temperature_as_written = {};  ///< Empty if it is assumed.
+  bool assumed = true;                      ///< Whether the name is assumed.
 };
 
-/// The screw as a commented case for which every command but `preload`, `study` and `optimize` has
-/// all it needs. `origin` says in its first lines where the data come from. A full mechanism has
-/// supports and loads across the axis as well. Throws CaseError where `prs life` would refuse it.
+/// The screw as a commented case with all inputs of every command except `preload`, `study` and `optimize`. `origin`
+/// says in its first lines where the data come from. A full mechanism has supports and lateral loads as well. Throws
+/// CaseError if `prs life` would refuse it.
 std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant, const std::string& origin,
                        ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
 
-/// The first half of that: heading, mechanism, structure and materials.
+/// First half of the case: heading, mechanism, structure and materials.
 std::string screw_text(const CompleteScrew& screw, const std::string& origin,
                        ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
 
-/// The screw with the values that those lines have, whose digits are limited.
+/// The screw with the values of those lines, whose digits are limited.
 CompleteScrew as_written(CompleteScrew screw);
 
-/// Throws CaseError where the ratio of diameters is beyond Lemor's capacity, which `prs life`
-/// needs.
+/// Throws CaseError if the ratio of diameters is outside Lemor's capacity, which `prs life` needs.
 void require_capacity(const CompleteScrew& screw);
 
-/// A line of `prs configurations` as such a case.
+/// A line of `prs configurations` as a commented case.
 std::string configuration_case(const Configuration& c);
 
 }  // namespace prs

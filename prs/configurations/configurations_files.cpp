@@ -71,7 +71,7 @@ constexpr Quantity<Configurations> kConfigurations[] = {
     {"left_out", always_table<kLeftOut, &Configurations::left_out>},
 };
 
-/// Most left-out geometries that the table explains; beyond that, see the document.
+/// Largest number of left-out geometries that the table explains; for more, see the document.
 constexpr std::size_t kMostDetails = 6;
 
 std::string gears_cell(const Configuration& c) {
@@ -110,7 +110,7 @@ constexpr Column kColumns[] = {
      [](Found c) { return c.alike.empty() ? std::string(kAbsent) : fmt::format("{}", fmt::join(c.alike, " ")); }},
     {"gears", "teeth, module/mm", 18, gears_cell}};
 
-/// A number and the cells behind it.
+/// A number and the cells after it.
 std::string line(std::string text, const auto& cell) {
   text = padded(text, 3, false);
   for (const Column& column : kColumns) text += padded(cell(column), column.width, column.left_aligned);
@@ -139,7 +139,7 @@ nlohmann::ordered_json configurations_json(const Configurations& all, const Docu
 
 std::string left_out_text(const Configurations& all) {
   const bool with_details = all.left_out.size() <= kMostDetails;
-  std::vector<std::pair<std::string, std::string>> reasons;  // Reason, who.
+  std::vector<std::pair<std::string, std::string>> reasons;  // Reason, starts concerned.
   for (const LeftOut& left_out : all.left_out) {
     std::string key = fmt::format("{}: {}", type_name(left_out.type), left_out.reason);
     if (with_details && !left_out.detail.empty()) key += fmt::format(" ({})", left_out.detail);

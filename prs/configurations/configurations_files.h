@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// The document of `prs configurations --json`; `number` is what `--write` takes.
+/// The document of `prs configurations --json`; `number` is the argument of `--write`.
 nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info);
 
 Record<Configurations> record_of(Type<Configurations>);
@@ -14,11 +14,10 @@ Record<Configurations> record_of(Type<Configurations>);
 /// `standard` or `inverted`.
 std::string_view type_name(Mechanism::Type type);
 
-/// The configurations, a numbered line each, and below why the others are left out, within 110
-/// columns.
+/// The configurations, one numbered line each, then the reasons for omitted ones, within 110 columns.
 std::string configurations_table(const ConfigurationQuery& query, const Configurations& all);
 
-/// Why starts are left out, those with the same reason together; of a few with the details.
+/// Reasons why starts are left out, starts with the same reason together; details if they are few.
 std::string left_out_text(const Configurations& all);
 
 /// `configurations.csv`: one row per configuration.

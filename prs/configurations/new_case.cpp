@@ -17,7 +17,7 @@ struct QuantityOption {
   std::optional<std::string> NewOptions::*text;
   std::optional<double> ScrewData::*value;
   const input::Dimension& dimension;
-  const char* meaning;  ///< In the list of what was given.
+  const char* meaning;  ///< Text in the list of given values.
 };
 
 const QuantityOption kQuantities[] = {
@@ -43,13 +43,13 @@ std::string option_of(std::string member) {
   return "--" + member;
 }
 
-/// `--nut-diameter` -> `nut_diameter`
+/// Member of an option: `--nut-diameter` -> `nut_diameter`.
 std::string member_of(std::string option) {
   std::ranges::replace(option, '-', '_');
   return option.substr(2);
 }
 
-/// `+30mm` -> `30 mm`, as it stands in a case.
+/// Quantity as written in a case: `+30mm` -> `30 mm`.
 std::string spaced(std::string_view quantity) {
   if (quantity.starts_with('+')) quantity.remove_prefix(1);
   const std::string_view unit = input::split_unit(quantity)->unit;
@@ -109,7 +109,7 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   return l;
 }
 
-/// Refuses what is none of two names.
+/// Refuses a text other than one of two names.
 void check_name(const char* option, const std::string& text, const char* first, const char* second) {
   if (text != first && text != second)
     throw CaseError(option, fmt::format("got {}; expected {} or {}", input::shown(text), first, second));
@@ -125,7 +125,7 @@ Mechanism::Type type_of(const NewOptions& o) {
   return o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
 }
 
-/// Whether anything is said of the screw, which else is an example.
+/// Whether the screw is described; otherwise an example is used.
 bool has_screw(NewOptions o) {
   o.mechanism.reset();
   return !first_given(o).empty();

@@ -11,20 +11,20 @@ namespace {
 
 constexpr std::size_t kCaseWidth = 100;
 
-/// `# TEXT` over as many lines as it takes.
+/// Comment `# TEXT` over as many lines as needed.
 std::string case_remark(const std::string& text, std::size_t indent = 0) {
   return wrapped(text, std::string(indent, ' ') + "# ", kCaseWidth);
 }
 
-/// What assumptions are read from, see prs/input/echo.h: of `value`, as the file has it.
+/// Remark from which assumptions are read, see prs/input/echo.h: about `value`, as written in the file.
 std::string assumption(const std::string& value, const std::string& reason) {
   return fmt::format("assumed {}: {}", value, reason);
 }
 
 constexpr std::string_view kAssumed = "assumed: ";
 
-/// A line of the case, its remark behind it or, where that is too long, above. A remark that begins
-/// with `assumed: ` marks the value of the line.
+/// A line of the case with its remark at the end or, if that is too long, above. A remark that begins with `assumed: `
+/// marks the value of the line.
 std::string case_line(const std::string& content, std::string text) {
   if (text.starts_with(kAssumed))
     text = assumption(content.substr(content.find(": ") + 2), text.substr(kAssumed.size()));
@@ -33,17 +33,17 @@ std::string case_line(const std::string& content, std::string text) {
   return case_remark(text, content.find_first_not_of(' ')) + content + "\n";
 }
 
-/// The remark on a value that was given, or else on how it was assumed.
+/// Remark on a value: given, or how it was assumed.
 std::string origin_of(bool given, const std::string& assumed) {
   return given ? "given" : std::string(kAssumed) + assumed;
 }
 
 std::string degrees(double angle) { return fmt::format("{:.6g} deg", angle * 180.0 / std::numbers::pi); }
-/// What was given, to 15 digits: 0.3937 in is 9.99998 mm, no 9.999979999999999 mm.
+/// Given length with 15 digits: 0.3937 in is 9.99998 mm, not 9.999979999999999 mm.
 std::string exact(double length) { return fmt::format("{:.15g} mm", 1e3 * length); }
 std::string kilonewton(double force) { return fmt::format("{:.7g} kN", 1e-3 * force); }
 
-/// A member of the data as somebody wrote it, else as it follows.
+/// A member of the data as the user wrote it, else the other text.
 std::string written_or(const ScrewData& d, const std::string& member, std::string otherwise) {
   const auto known = d.as_written.find(member);
   return known == d.as_written.end() ? std::move(otherwise) : known->second;
@@ -55,8 +55,8 @@ std::string length_text(const ScrewData& d, const std::string& member, const std
 std::string diameter_text(const ScrewData& d) { return written_or(d, "screw_diameter", exact(d.screw_diameter)); }
 std::string lead_text(const ScrewData& d) { return written_or(d, "lead", exact(d.lead)); }
 std::string load_text(const CompleteScrew& s) { return written_or(s.data, "load", kilonewton(s.load)); }
-/// At which the screw drives a load in tension or in compression. Against a speed along the axis
-/// the hand of the thread is of no account.
+/// Speed with which the screw drives a load in tension or in compression. For a speed along the axis the hand of the
+/// thread does not matter.
 std::string speed_text(const CompleteScrew& s, Direction direction) {
   const std::string text = written_or(s.data, "speed", rpm(s.speed));
   const bool turns_back = s.c.mechanism.lead < 0.0 && !input::is_travel_speed(text);
@@ -236,7 +236,7 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
                : "");
 }
 
-/// Model, and what belongs to all rollers but is not a load.
+/// Model, and inputs common to all rollers that are not loads.
 std::string model_text(ModelOf model) {
   if (model == ModelOf::sector)
     return case_line("model: {bodies: refined}",
@@ -249,7 +249,7 @@ std::string model_text(ModelOf model) {
              "index_error: {screw: [..]}, thread_eccentricity: {screw: {y: 4 um, z: 0 um}}}");
 }
 
-/// Loads across the axis and misalignment of one load case, `line` between lines.
+/// Lateral loads and misalignment of one load case, `line` between lines.
 std::string spatial_text(ModelOf model, std::string_view line) {
   if (model == ModelOf::sector) return "";
   return fmt::format(

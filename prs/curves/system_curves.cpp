@@ -14,7 +14,7 @@ namespace {
 struct Errors {
   double force = 0.0, stiffness = 0.0;
 
-  /// The larger one, in tolerances.
+  /// The larger of both errors, over its tolerance.
   double share() const { return std::max(force / kForceTolerance, stiffness / kStiffnessTolerance); }
   void take(const Errors& other) {
     force = std::max(force, other.force);
@@ -22,13 +22,13 @@ struct Errors {
   }
 };
 
-/// An equilibrium of one sense, all magnitudes.
+/// An equilibrium of one sense, in magnitudes.
 struct Node {
   double force = 0.0;       ///< [N]
   double deflection = 0.0;  ///< [m]
   double stiffness = 0.0;   ///< dF/du [N/m]
-  bool is_open = false;     ///< The interval from here to the next node is still to be looked at.
-  Errors missed = {};       ///< What an open one was missed by when it was looked at last.
+  bool is_open = false;     ///< Whether the interval from here to the next node still needs a check.
+  Errors missed = {};       ///< Errors of the curve in it at the last check.
 };
 
 /// Equilibria under forces of one sense, in their order.
@@ -46,8 +46,7 @@ BranchTable table_of(const std::vector<Node>& nodes, double origin, bool over_ro
   return table;
 }
 
-/// Slopes with which no cubic between two nodes falls (Fritsch and Carlson, SIAM J. Numer. Anal.
-/// 17, 1980, 238).
+/// Limits slopes so that no cubic between two nodes falls (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980, 238).
 void keep_monotone(BranchTable& table) {
   for (std::size_t k = 0; k + 1 < table.at.size(); ++k) {
     const double secant = (table.force[k + 1] - table.force[k]) / (table.at[k + 1] - table.at[k]);
@@ -61,15 +60,15 @@ PrsCurves in_tension(const BranchTable& table) {
   return curves;
 }
 
-/// Place where an interval is looked at and divided: there the slope of a cubic errs most, as
-/// t^2 (1 - t)^2 is steepest.
+/// Place where an interval is checked and divided: there the slope of a cubic has the largest error, as t^2 (1 - t)^2
+/// is steepest.
 constexpr double kPlace = 0.2113248654051871;
 
-/// An interval is done where it was missed by less than this many tolerances: threads and rollers
-/// that take up load or let go of it bend the stiffness between the places that are looked at.
+/// Error, over the tolerance, below which an interval is done: threads and rollers that take or lose load change the
+/// stiffness between the checked places.
 constexpr double kReserve = 1.0 / 30.0;
 
-/// The open intervals, no more than `room` of them, those that were missed by most.
+/// Marks the open intervals to check, at most `room` of them, those with the largest errors.
 std::vector<bool> to_look_at(const std::vector<Node>& nodes, std::size_t room) {
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -81,7 +80,7 @@ std::vector<bool> to_look_at(const std::vector<Node>& nodes, std::size_t room) {
   return look;
 }
 
-/// Adds a node in open intervals; where the curve missed it, both parts stay open.
+/// Adds a node in open intervals; if the curve missed it, both parts stay open.
 void refine(std::vector<Node>& nodes, double origin, bool over_root, const Solve& solve, Errors& errors) {
   const BranchTable table = table_of(nodes, origin, over_root);
   const PrsCurves curves = in_tension(table);
@@ -129,9 +128,9 @@ BranchTable branch_table(std::vector<Node> nodes, double origin, bool over_root,
 
 constexpr int kOctaves = 8, kOctavesOfFull = 5;
 
-/// From the first contact on. Near it the deflection is origin + a F^(2/3) + b F. Where a
-/// misalignment moves the loaded section before there is a force, `shift` is the deflection [m] < 0
-/// from which that of the table counts. The first node stands at the largest force over 8^octaves.
+/// Branch from the first contact on. Near it the deflection is origin + a F^(2/3) + b F. If a misalignment moves the
+/// loaded section before there is a force, `shift` is the deflection [m] < 0 from which that of the table counts. The
+/// first node is at the largest force over 8^octaves.
 BranchTable branch_from_contact(const Solve& solve, double largest, int octaves, Errors& errors, double& shift) {
   std::vector<double> forces;
   for (int k = octaves; k >= 0; --k) forces.push_back(largest * std::pow(8.0, -k));
@@ -139,7 +138,7 @@ BranchTable branch_from_contact(const Solve& solve, double largest, int octaves,
   const double u1 = nodes[0].deflection, u2 = nodes[1].deflection, u3 = nodes[2].deflection;
   const double b = (u3 - u1 - 5.0 * (u2 - u1)) / 28.0, a = (u2 - u1 - 7.0 * b) / 3.0;
   double origin = u1 - a - b;
-  // The flanks that touch first have no gap; what is left is the error of the estimate.
+  // The flanks that touch first have no gap; a small origin is the error of the estimate.
   if (std::abs(origin) < 1e-6 * nodes.back().deflection) origin = 0.0;
   shift = std::min(origin, 0.0);
   const Solve from_shift = [&](const std::vector<double>& at) {
@@ -156,7 +155,7 @@ BranchTable branch_from_contact(const Solve& solve, double largest, int octaves,
   return branch_table(std::move(nodes), origin, true, from_shift, errors);
 }
 
-/// Flanks that touch without load, with this stiffness there.
+/// Branch of flanks that touch without load, with this stiffness there.
 BranchTable branch_from_rest(const Solve& solve, double stiffness, double largest, Errors& errors) {
   constexpr int kParts = 8;
   std::vector<double> forces;
@@ -173,7 +172,7 @@ class LoadsOfCase {
   LoadsOfCase(Conditions c, const Contacts& contacts, LoadCase pattern)
       : conditions_(std::move(c)), contacts_(contacts), pattern_(std::move(pattern)) {
     pattern_.spatial.orbit.reset();
-    // As `preload` takes it: the only shoulder holds the nut in both senses.
+    // Sections as in `preload`: a single shoulder holds the nut in both senses.
     const PerDirection<double> section = held_sections(conditions_.structure->nut.thrust);
     conditions_.structure->nut.thrust.tension = section.tension;
     conditions_.structure->nut.thrust.compression = section.compression;
@@ -223,7 +222,7 @@ class LoadsOfCase {
 void add_loaded_branches(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, double largest,
                          Errors& errors, SystemCurves& curves) {
   LoadsOfCase loads(c, contacts, pattern);
-  // Rollers that a misalignment presses to one side take seconds to find hold without a load.
+  // Without load, rollers that a misalignment presses to one side take seconds to converge.
   const bool full = c.model.all_rollers();
   const int octaves = full ? kOctavesOfFull : kOctaves;
   for (const Direction d : kDirections) {
@@ -274,7 +273,7 @@ void add_preloaded_branches(const Conditions& c, const Contacts& contacts, doubl
 
 // Friction
 
-/// What friction takes of the torque, at the forces and speeds that a table asks for.
+/// Torque due to friction, at the forces and speeds of a table.
 class FrictionTorque {
  public:
   FrictionTorque(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, Oils oils)
@@ -282,7 +281,7 @@ class FrictionTorque {
     if (slip_takes_running_loads(c.model, pattern.share)) running_.emplace(c, contacts, models_);
   }
 
-  /// [N m] at a signed force [N] and speed [rad/s]; none where nothing is in equilibrium.
+  /// Torque [N m] at a signed force [N] and speed [rad/s]; none without equilibrium.
   std::optional<double> at(double force, double speed) {
     const auto [known, is_new] = torque_.try_emplace({force, speed});
     if (!is_new) return known->second;
@@ -294,7 +293,7 @@ class FrictionTorque {
     status_ = slip.status;
     return known->second;
   }
-  /// Why there was none.
+  /// Reason why there was none.
   SlipStatus status() const { return status_; }
 
  private:
@@ -325,11 +324,11 @@ class FrictionTorque {
   SlipStatus status_ = SlipStatus::not_computed;
 };
 
-/// Places of a table: 2^k + 1 roots of a force in each sense, 2^k + 1 speeds, finer by halves.
+/// Nodes of a table: 2^k + 1 roots of a force in each sense, 2^k + 1 speeds, refined by halving.
 struct FrictionGrid {
   double least_root = 0.0, largest_root = 0.0;
   double least_speed = 0.0, largest_speed = 0.0;
-  std::size_t forces = 8, speeds = 4;  ///< Intervals; one of speeds where they do not matter.
+  std::size_t forces = 8, speeds = 4;  ///< Number of intervals; one for speeds if they do not matter.
 
   std::vector<double> roots() const {
     std::vector<double> roots;
@@ -386,7 +385,7 @@ double difference(const FrictionTable& coarse, const FrictionTable& fine) {
   for (const double speed : fine.speed)
     for (const double root : fine.root_force) {
       int beyond = 0;
-      // With a lead of zero the torque is what friction takes.
+      // With a lead of zero the torque is that of friction.
       const auto missed = [&](double friction, double sign) {
         return std::abs(friction - prs_torque(&curves, force_of(root), sign * speed, &beyond));
       };
@@ -396,8 +395,8 @@ double difference(const FrictionTable& coarse, const FrictionTable& fine) {
   return largest;
 }
 
-/// Below the least force of the table friction is that of it: the torques of the carrier may be too
-/// large for a screw with less load.
+/// Smallest root of the table, below which friction is constant: the torques of the carrier may be too large for a
+/// screw with less load.
 double least_root(FrictionTorque& torque, const FrictionGrid& grid) {
   constexpr double kLeast = 1.0 / 64.0, kMost = 0.5;
   for (double share = kLeast; share < kMost; share *= 2.0) {
@@ -440,7 +439,7 @@ FrictionTable friction_table(FrictionTorque& torque, double force, double speed,
   return table;
 }
 
-/// Conditions of the parts while they turn: with `heat` at its steady temperatures.
+/// Conditions of the running parts: with `heat` at its steady temperatures.
 struct Running {
   Conditions conditions;
   Oils oils;
@@ -462,7 +461,7 @@ Running running(const Conditions& c, const Contacts& contacts, const LoadCase& p
   return warm;
 }
 
-/// Why there is no friction in the torque; none where there is.
+/// Reason why there is no friction in the torque; none if there is.
 std::optional<Warning> lacking_friction(const Case& c, const LoadCase& pattern) {
   Case one = c;
   one.load_cases = {pattern};
@@ -478,7 +477,7 @@ double largest_speed(const Case& c) {
   return speed;
 }
 
-/// What the torque of a preloaded screw holds, and where; none where that is what one expects.
+/// Conditions for which the torque of a preloaded screw is valid; none if they are the obvious ones.
 std::optional<Warning> torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen) {
   std::vector<std::string> conditions;
   if (chosen) conditions.push_back("position");
@@ -520,15 +519,15 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
                      c.friction->facts().changes_with_speed || c.carrier.is_oiled(), curves.lead, curves.torque_error);
 }
 
-/// The load case whose conditions hold: position, misalignment, speed. With `preload` and no load
-/// case asked for, its position is that of the preload.
+/// Load case with the conditions: position, misalignment, speed. With `preload` and no chosen load case, its position
+/// is that of the preload.
 LoadCase pattern_of(const Case& c, const CurveOptions& options) {
   const auto is_asked_for = [&](const LoadCase& load) {
     return options.load_case ? load.name == *options.load_case : load.is_solved();
   };
   const auto found = std::ranges::find_if(c.load_cases, is_asked_for);
   const bool usable = found != c.load_cases.end() && found->is_solved();
-  if (c.preload && !options.load_case) {  // Torque and force hold at the same position.
+  if (c.preload && !options.load_case) {  // Torque and force must be at the same position.
     LoadCase pattern = usable ? *found : LoadCase{};
     pattern.position = c.preload->position;
     return pattern;

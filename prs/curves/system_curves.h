@@ -6,13 +6,13 @@
 namespace prs {
 
 struct CurveOptions {
-  std::optional<double> force = {};           ///< Largest of both senses [N]; else that of the case.
-  std::optional<double> speed = {};           ///< Largest of both senses [rad/s]; else that of the case.
-  bool speed_along_axis = false;              ///< `speed` is that of the travel [m/s].
-  std::optional<std::string> load_case = {};  ///< Else the first whose loads are solved.
+  std::optional<double> force = {};           ///< Largest force of both senses [N]; default: the case's.
+  std::optional<double> speed = {};           ///< Largest speed of both senses [rad/s]; default: the case's.
+  bool speed_along_axis = false;              ///< Whether `speed` is that of the travel [m/s].
+  std::optional<std::string> load_case = {};  ///< Name; default: the first whose loads are solved.
 };
 
-/// Nodes of one sense, as `PrsBranch` describes them.
+/// Nodes of one sense, as in `PrsBranch`.
 struct BranchTable {
   double origin = 0.0;
   bool over_root = false;
@@ -30,11 +30,10 @@ struct FrictionTable {
   std::vector<double> forward, backward;  ///< Values for both senses of rotation.
 };
 
-/// What a model of a system needs of a screw: force over deflection, torque over force and speed.
-/// SI units, tension positive. `prs_force` and `prs_torque` evaluate them, here and where they are
-/// exported to.
+/// Data of a screw for system models: force over deflection, torque over force and speed. SI units, tension positive.
+/// `prs_force` and `prs_torque` evaluate them, here and in exported models.
 struct SystemCurves {
-  std::string load_case;  ///< Whose conditions hold; empty with preload.
+  std::string load_case;  ///< Load case with the conditions; empty with preload.
   double lead = 0.0;      ///< [m]
   PerDirection<BranchTable> senses;
   FrictionTable friction;
@@ -43,21 +42,20 @@ struct SystemCurves {
   double force_error = 0.0, stiffness_error = 0.0, torque_error = 0.0;
   std::vector<Warning> warnings;
 
-  /// The curves as the functions of `curves.h` take them; valid as long as this object.
+  /// The curves in the form for the functions of `curves.h`; valid as long as this object.
   PrsCurves view() const;
   /// Content of the file `curves.bin`.
   std::vector<double> data() const;
 };
 
-/// Nodes of a curve in one sense, at the most.
+/// Largest number of nodes of a curve in one sense.
 inline constexpr std::size_t kMostNodes = 800;
-/// Errors between nodes that the tables are refined to.
+/// Errors between nodes to which the tables are refined.
 inline constexpr double kForceTolerance = 1e-6, kStiffnessTolerance = 1e-4, kTorqueTolerance = 1e-4;
 
-/// Solves loads of both senses until the curves between them hold the tolerances. With `preload`
-/// they are those of `prs preload`, else those of `prs solve` under the conditions of one load
-/// case. The case must have passed the requirements of `preload` or `solve`. Throws CaseError where
-/// a load does not converge, or friction has no equilibrium.
+/// Solves loads of both senses until the curves between them are within the tolerances. With `preload` they are those
+/// of `prs preload`, else those of `prs solve` under the conditions of one load case. The case must have passed the
+/// requirements of `preload` or `solve`. Throws CaseError if a load does not converge, or friction has no equilibrium.
 SystemCurves system_curves(const Case& c, const CurveOptions& options);
 
 }  // namespace prs

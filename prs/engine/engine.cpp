@@ -14,7 +14,7 @@
 namespace prs {
 namespace {
 
-/// The question is wrong, not its case.
+/// Error in the question, not in its case.
 class QuestionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -34,7 +34,7 @@ struct Question {
   input::Source source;
   std::vector<std::string> load_cases;
   bool figures = false;
-  std::size_t rank = 0;  ///< Rank of the candidate that is written.
+  std::size_t rank = 0;  ///< Rank of the candidate to write.
   NewOptions new_case;
 };
 
@@ -59,7 +59,7 @@ T value_of(const Json& question, const char* key, T absent, const char* expected
   }
 }
 
-/// Another file's command; null where it is none.
+/// Command of another file; null if it is none.
 const OtherFile* other_named(const std::string& name) {
   const auto found =
       std::ranges::find_if(other_files(), [&](const OtherFile& file) { return prs::name(file.command) == name; });
@@ -151,7 +151,7 @@ Question parsed(std::string_view text) {
   return question;
 }
 
-/// Leaves the load cases of these names; a range has its name before the `[`.
+/// Keeps only the load cases of these names; the name of a range is before the `[`.
 void choose(const std::vector<std::string>& names, Command command, Case& c) {
   if (!analysis_of(command).takes_load_cases_apart)
     throw QuestionError("load_cases", fmt::format("a choice for `{}`", name(command)),
@@ -168,9 +168,9 @@ void choose(const std::vector<std::string>& names, Command command, Case& c) {
   if (c.heat) c.heat->duty.clear();
 }
 
-// The answer
+// Answer
 
-/// HTML as a string of JSON: well-formed, as the report escapes all that it is given.
+/// Appends HTML as a string of JSON: well-formed, as the report escapes all its input.
 void append_quoted(std::string& text, std::string_view html) {
   text += '"';
   for (;;) {
@@ -238,7 +238,7 @@ void put_lines(std::vector<std::string>& messages, std::string_view text, std::s
   }
 }
 
-/// All forms of the answer to a command, and which command.
+/// All forms of the answer to a command, with its name.
 Answer delivered_answer(const Question& question, Command command, const Delivery& delivery) {
   Answer answer;
   answer.status = status_of(delivery);

@@ -37,8 +37,8 @@ std::string bytes_of(const std::vector<double>& numbers) {
   return bytes;
 }
 
-/// The variables of a drive in the place of those of the screw alone: rows of drive_variables.txt, whose
-/// references are those of unit.c.
+/// The variables of a drive in place of those of the screw alone: rows of drive_variables.txt, whose references are
+/// those of unit.c.
 std::string with_drive(std::string xml, const ResponseInput& in, double reach) {
   const auto& controller = in.motor.controller;
   const bool of_position = controller && controller->position;
@@ -92,7 +92,7 @@ std::string description_xml(const SystemModel& model, const std::string& guid) {
   return model.drive ? with_drive(std::move(xml), *model.drive, curves.lead / (2.0 * std::numbers::pi)) : xml;
 }
 
-/// The numbers of the drive and how exactly events are found [s].
+/// Numbers of the drive and the accuracy of its events [s].
 std::vector<double> drive_numbers(const SystemModel& model) {
   PrsDrive drive = drive_of(*model.case_with_drive, *model.drive, model.curves);
   std::vector<double> numbers(PRS_DRIVE_NUMBERS);
@@ -116,7 +116,7 @@ std::string documentation(const SystemCurves& curves, const ModelText& text) {
          "<code>-DFMI2_FUNCTION_PREFIX=NAME_</code>.</p>\n</html>\n";
 }
 
-/// Made of the content, in the form of a GUID.
+/// A GUID computed from the content.
 std::string guid_of(const std::string& content) {
   const std::string hash = sha256(content);
   return fmt::format("{{{}-{}-{}-{}-{}}}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4), hash.substr(16, 4),
@@ -165,7 +165,7 @@ std::string friction(const FrictionTable& table) {
       list(table.root_force), list(table.speed), rows(table.forward, columns), rows(table.backward, columns));
 }
 
-/// As a text of Modelica holds it.
+/// A string literal of Modelica.
 std::string quoted(const std::string& text) {
   std::string escaped;
   for (const char c : input::shown(text)) {
@@ -184,7 +184,7 @@ std::string functional_mockup_unit(const SystemModel& model) {
   const std::string drive = model.drive ? bytes_of(drive_numbers(model)) : std::string();
   const std::string guid = guid_of(description_xml(model, "") + data + drive + std::string(library()));
   std::vector<OutputFile> files{{"modelDescription.xml", description_xml(model, guid)}};
-#if defined(__x86_64__) && defined(__linux__)  // The standard has names for few platforms.
+#if defined(__x86_64__) && defined(__linux__)  // The standard names only a few platforms.
   files.push_back({fmt::format("binaries/linux64/{}.so", text.name), std::string(library())});
 #endif
   files.push_back({"documentation/index.html", documentation(curves, text)});

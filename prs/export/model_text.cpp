@@ -40,7 +40,7 @@ nlohmann::ordered_json torque_json(const SystemCurves& curves) {
   return {{"force_N", force}, {"speed_rad_per_s", speed}, {"torque_Nm", torque}};
 }
 
-/// Names that Modelica keeps for itself (Modelica Language Specification 3.4, section 2.3.3).
+/// Whether a name is reserved in Modelica (Modelica Language Specification 3.4, section 2.3.3).
 bool is_word_of_modelica(std::string_view name) {
   constexpr std::string_view kWords =
       " algorithm and annotation assert block break class connect connector constant "

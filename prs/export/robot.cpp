@@ -26,7 +26,7 @@ double largest_speed_of(const Case& c, const SystemCurves& curves) {
   return speed;
 }
 
-/// What both formats say of what they leave out.
+/// Remarks, in both formats, on effects that are left out.
 std::string remarks(const RobotConstants& r, const ModelText& text) {
   return fmt::format(
       "  Planetary roller screw of {}, SHA-256 {}, by prs {}.\n"

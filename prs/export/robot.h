@@ -5,7 +5,7 @@
 
 namespace prs {
 
-/// What robot simulators know of a drive: one mass, one friction, one damping (docs/response.md).
+/// Constants of a drive for robot simulators: one mass, one friction, one damping (docs/response.md).
 struct RobotConstants : FrictionFit {
   double gear_ratio = 0.0;                          ///< 1/r, signed [rad/m]
   double reflected_mass = 0.0;                      ///< [kg]
@@ -14,7 +14,7 @@ struct RobotConstants : FrictionFit {
   double play = 0.0, largest_force = 0.0, largest_speed = 0.0;
 };
 
-/// Throws CaseError where there is no largest speed.
+/// Constants of a case. Throws CaseError if there is no largest speed.
 RobotConstants robot_constants(const Case& c, const SystemCurves& curves, std::optional<double> friction_load);
 
 nlohmann::ordered_json robot_json(const RobotConstants& robot);

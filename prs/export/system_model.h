@@ -5,14 +5,14 @@
 
 namespace prs {
 
-/// What an exported model says of itself.
+/// Description of an exported model.
 struct ModelText {
   std::string name;         ///< An identifier of C and Modelica, see `model_name`.
-  std::string case_file;    ///< As it was given.
+  std::string case_file;    ///< Path as given.
   std::string case_sha256;  ///< SHA-256 of the case's text.
 };
 
-/// The curves of a case file, and what is told with them.
+/// The curves of a case file, and texts about them.
 struct SystemModel {
   SystemCurves curves;
   ModelText text;
@@ -24,15 +24,15 @@ struct SystemModel {
 /// Whether the model holds the drive of the case: never, if the case states one, always.
 enum class WithDrive { never, stated, needed };
 
-/// Reads the case and computes its curves, warnings on single values among theirs. With the drive they
-/// are those of `prs response`. Throws InputError where the case lacks something or is wrong.
+/// Reads the case and computes its curves; their warnings include those on single values. With the drive they are those
+/// of `prs response`. Throws InputError if the case is incomplete or wrong.
 SystemModel system_model(const input::Source& source, const CurveOptions& options,
                          WithDrive with_drive = WithDrive::never);
 
 /// An identifier made of the name of a case file: `12_preload.yaml` -> `screw_12_preload`.
 std::string model_name(const std::string& case_file);
 
-/// Sentences on the ends of the curves and on how good they are.
+/// Sentences on the ends of the curves and on their accuracy.
 std::string curves_text(const SystemCurves& curves);
 
 /// A co-simulation unit of FMI 2.0: a ZIP archive. The same curves and text give the same bytes.
@@ -45,7 +45,7 @@ std::string functional_mockup_unit(const SystemModel& model);
 /// `Screw` between a rotational and a translational flange.
 std::string modelica_package(const SystemCurves& curves, const ModelText& text);
 
-/// The deflections, forces, stiffnesses and torques that the curves are made of.
+/// Deflections, forces, stiffnesses and torques of the curves.
 nlohmann::ordered_json curves_json(const SystemCurves& curves);
 
 }  // namespace prs

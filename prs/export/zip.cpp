@@ -21,7 +21,7 @@ void put32(std::string& bytes, std::uint64_t value) {
   put16(bytes, value >> 16);
 }
 
-/// What both headers of a file say after their versions.
+/// Fields of both headers of a file after their versions.
 std::string description_of(const OutputFile& file) {
   boost::crc_32_type crc;
   crc.process_bytes(file.content.data(), file.content.size());
@@ -34,7 +34,7 @@ std::string description_of(const OutputFile& file) {
   put32(bytes, file.content.size());
   put32(bytes, file.content.size());
   put16(bytes, file.name.size());
-  put16(bytes, 0);  // Nothing extra.
+  put16(bytes, 0);  // No extra field.
   return bytes;
 }
 
@@ -64,7 +64,7 @@ std::string zip(const std::vector<OutputFile>& files) {
   archive += directory;
   put32(archive, kEndRecord);
   put16(archive, 0);  // This disk.
-  put16(archive, 0);  // That of the directory.
+  put16(archive, 0);  // Disk of the directory.
   put16(archive, files.size());
   put16(archive, files.size());
   put32(archive, directory.size());

@@ -54,7 +54,7 @@ struct Kind {
 /// Shares of time by the force.
 using Shares = std::map<double, double>;
 
-/// The same mean of every polynomial through the points, on few forces.
+/// Mean of any polynomial through the points, with few forces.
 Shares on_points(const Shares& shares) {
   if (shares.size() <= kForces) return shares;
   const double least = shares.begin()->first, greatest = shares.rbegin()->first;

@@ -9,14 +9,14 @@ namespace prs {
 namespace {
 
 constexpr double kTolerance = 1e-8;  // [K]
-constexpr double kCoolest = 50.0;    // Below, no oil's line is evaluated [K].
+constexpr double kCoolest = 50.0;    // Temperature below which no oil's line is evaluated [K].
 constexpr int kMostRounds = 50;
-constexpr double kDifference = 0.05;  // Of temperatures, for derivatives [K].
+constexpr double kDifference = 0.05;  // Difference of temperatures for derivatives [K].
 
 double largest(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
 bool is_sound(const OfParts& t) { return t.allFinite() && t.minCoeff() > kCoolest && t.maxCoeff() < kHottest; }
 
-/// The estimate, scaled to the exact heat where that is known.
+/// The estimate, scaled to the exact heat at the temperatures where that is known.
 class ScaledEstimate {
  public:
   using OfOil = std::function<std::optional<OfParts>(const PerInterface<double>& oil)>;
@@ -42,15 +42,15 @@ class ScaledEstimate {
   }
   std::optional<OfParts> heat(const OfParts& t) const { return heat(oil_temperatures(t)); }
 
-  /// Heat less what flows off [W].
+  /// Heat minus heat flow out [W].
   std::optional<OfParts> surplus(const OfParts& t) const {
     std::optional<OfParts> q = heat(t);
     if (q) *q -= network_.conductance * (t.array() - network_.ambient).matrix();
     return q;
   }
 
-  /// Whether the total heat falls short of (sign < 0) or exceeds (sign > 0) what flows off, at this
-  /// share of the way from ambient to the steady state; not where it is unknown.
+  /// Whether the total heat is below (sign < 0) or above (sign > 0) the heat flow out, at this share of the distance
+  /// from ambient to the steady state; false if it is unknown.
   bool crosses(double share, const OfParts& steady, double sign) const {
     const OfParts rise = (steady.array() - network_.ambient).matrix();
     const OfParts t = (network_.ambient + (share * rise).array()).matrix();
@@ -61,7 +61,7 @@ class ScaledEstimate {
   bool crosses_at_any(std::initializer_list<double> shares, const OfParts& steady, double sign) const {
     return std::ranges::any_of(shares, [&](double s) { return crosses(s, steady, sign); });
   }
-  /// Whether the parts would stop warming before they get there, or do not stay there.
+  /// Whether the parts would stop warming before they reach this state, or do not stay there.
   bool has_cooler_state(const OfParts& steady) const {
     return crosses_at_any({0.3, 0.6, 0.85}, steady, -1.0) || crosses(1.05, steady, 1.0);
   }
@@ -113,10 +113,10 @@ std::optional<OfParts> newton(const ScaledEstimate& estimate, OfParts t, OfParts
   return std::nullopt;
 }
 
-/// Follows the warming parts from t, all with time constants of one, by linearly implicit Euler
-/// steps that grow; none where they pass `kHottest` or their heat is not known.
+/// Follows the warming parts from t, all with time constants of one, by linearly implicit Euler steps that grow; none
+/// if they pass `kHottest` or their heat is not known.
 std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwork& network, OfParts t) {
-  constexpr double kMostRise = 5.0;  // In a step [K].
+  constexpr double kMostRise = 5.0;  // Largest rise in a step [K].
   const Eigen::Matrix3d capacity = network.conductance.diagonal().asDiagonal();
   double h = 0.1;
   for (int i = 0; i < 2000; ++i) {

@@ -4,7 +4,7 @@
 
 namespace prs {
 
-/// A value each of screw, all rollers together and nut, in this order.
+/// Values for screw, all rollers together and nut, in this order.
 using OfParts = Eigen::Vector3d;
 
 OfParts of_parts(const PerPart<double>& values);
@@ -14,39 +14,39 @@ PerPart<double> per_part(const OfParts& values);
 ///
 ///     C dT/dt = Q - K (T - T_ambient 1),
 ///
-/// K the symmetric matrix of the conductances [W/K], positive definite where every part has a way
-/// to the surroundings; its rows add up to the conductances to ambient.
+/// K the symmetric matrix of the conductances [W/K], positive definite if every part has a path to the surroundings;
+/// its rows add up to the conductances to ambient.
 struct ThermalNetwork {
   Eigen::Matrix3d conductance;  ///< K [W/K]
   double ambient = 0.0;         ///< [K]
 
-  /// Temperatures at which heat of these powers [W] flows off: T_ambient 1 + K^-1 Q [K].
+  /// Temperatures at which these heats [W] flow off: T_ambient 1 + K^-1 Q [K].
   OfParts steady(const OfParts& heat) const;
 };
 
 ThermalNetwork thermal_network(const Heat& heat);
 
-/// Heat that friction puts into each part [W]: each interface heats both its bodies by halves, a
-/// torque of the carrier the part that it acts on.
+/// Heat of friction in each part [W]: each interface heats both its bodies by halves, a torque of the carrier the part
+/// that it acts on.
 OfParts heat_of(const PowerBySource& power);
 
-/// Oil at the contacts of an interface has the mean temperature of its two bodies [K].
+/// Temperature of the oil at the contacts of an interface, the mean of its two bodies [K].
 PerInterface<double> oil_temperatures(const OfParts& temperature);
 
-/// Temperature Ac1 at which bearing steel turns into austenite [K]: beyond it no part is what the case states.
+/// Temperature Ac1 at which bearing steel turns into austenite [K]: beyond it no part has its stated properties.
 inline constexpr double kHottest = 1000.0;
 
-/// Heat that friction puts into the parts [W], over their temperatures [K].
+/// Heat of friction in the parts [W], over their temperatures [K].
 struct HeatSource {
-  /// None where there is no slip, for the reason that `failure` gives.
+  /// Exact heat; none if there is no slip, for the reason in `failure`.
   std::function<std::optional<OfParts>(const OfParts& temperature)> exact;
   std::function<std::string()> failure;
-  /// Nearly the same for a small part of the effort, near the last temperatures of `exact`.
+  /// Estimate with nearly the same values for a small part of the effort, near the last temperatures of `exact`.
   std::function<std::optional<OfParts>(const PerInterface<double>& oil)> estimate;
-  /// Some per cent off, for still less: to look for other steady states.
+  /// Estimate with errors of some per cent, for still less effort: to search for other steady states.
   std::function<std::optional<OfParts>(const PerInterface<double>& oil)> rough_estimate;
-  /// Whether heat may grow with temperature, as where films get thin and flanks touch: then several
-  /// steady states are looked for. Full films and Coulomb's friction have one.
+  /// Whether heat may grow with temperature, as when films become thin and flanks touch: then several steady states are
+  /// searched. Full films and Coulomb's friction have one.
   bool may_grow = true;
 };
 
@@ -54,14 +54,14 @@ struct SteadyHeat {
   HeatStatus status = HeatStatus::iteration_limit;
   std::string reason;
   OfParts temperature = OfParts::Zero();  ///< [K]
-  OfParts heat = OfParts::Zero();         ///< Into each part [W].
-  int evaluations = 0;                    ///< Evaluations of the exact heat.
-  bool others = false;                    ///< Hotter steady states exist.
+  OfParts heat = OfParts::Zero();         ///< Heat in each part [W].
+  int evaluations = 0;                    ///< Number of evaluations of the exact heat.
+  bool others = false;                    ///< Whether hotter steady states exist.
 
   bool converged() const { return status == HeatStatus::converged; }
 };
 
-/// A search that ends so; `found` has `status` and `reason`.
+/// Result of a search with this outcome; `found` has `status` and `reason`.
 template <class Found>
 Found ended(Found& found, HeatStatus status, std::string reason) {
   found.status = status;
@@ -69,12 +69,11 @@ Found ended(Found& found, HeatStatus status, std::string reason) {
   return found;
 }
 
-/// Temperatures at which Q(T) = K (T - T_ambient 1), to 1e-8 K: the state that the parts reach from
-/// `start`, by default from the temperature of their surroundings, the coolest where there are
-/// several. Newton's method on the estimate, scaled part by part to the last exact heat, which is
-/// then taken anew. Where the estimate has another crossing between ambient temperature and the
-/// found state, or Newton's method fails, the way of the parts is followed in time by implicit
-/// Euler steps.
+/// Temperatures at which Q(T) = K (T - T_ambient 1), to 1e-8 K: the state that the parts reach from `start`, by default
+/// from the temperature of their surroundings, the coolest if there are several. Newton's method on the estimate,
+/// scaled part by part to the last exact heat, which is then recomputed. If the estimate has another crossing between
+/// ambient temperature and the found state, or Newton's method fails, the parts are followed in time by implicit Euler
+/// steps.
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
                             const std::optional<OfParts>& start = {});
 

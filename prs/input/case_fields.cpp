@@ -53,7 +53,7 @@ Value value_of(Travel& t, const SlipRatioOrNumber&) {
                 .are_several = !std::isnan(t.stated_slip_ratio)}};
 }
 
-/// What the word of a block that may be one word chooses.
+/// Member that the word sets, of a block that may also be one word.
 inline std::optional<Rings::Carrier>& selector_of(Rings& r, const WordOrBlock&) { return r.carrier; }
 
 template <class Io, class C>
@@ -243,7 +243,7 @@ void alternatives(Choices& io, WrittenRange::Spacing& s) {
   io("logarithmic", s, WrittenRange::Spacing::logarithmic, "their logarithms");
 }
 
-/// Those that a study can run.
+/// Commands that a study can run.
 void alternatives(Choices& io, Command& c) {
   io(name(Command::contact), c, Command::contact, "contact points and Hertz constants");
   io(name(Command::solve), c, Command::solve, "load distribution, pressures and stiffness");
@@ -863,7 +863,7 @@ void fields(const Fields& io, Lubricant& l) {
   io("viscosity", l.viscosity, Quantity{unit::viscosity, positive},
      optional_only_if(!by_temperature, "in place of `temperature`"),
      "Dynamic viscosity at ambient pressure in operation");
-  // With `heat` the temperature itself need not stand.
+  // With `heat` the temperature itself may be absent.
   io("walther", l.walther, Block{}, optional_only_if(by_temperature || !l.viscosity, "only with `temperature`"),
      "log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K), nu = viscosity/density");
   io("viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
@@ -1028,7 +1028,7 @@ void fields(const Fields& io, Limits& l) {
      "Greatest of screw, rollers and nut");
 }
 
-/// Examples of what the texts may be.
+/// Examples of valid texts.
 constexpr Text kInputPath{"mechanism.flank_angle.screw"};
 constexpr Text kResponsePath{"screw.peak_pressure_MPa.max"};
 constexpr Verbatim kLimit{"{initial: 1.1}"};
@@ -1344,7 +1344,7 @@ void alternatives(Choices& io, ResponseInput::Input& i) {
 
 namespace signal_kinds {
 
-/// {at, value} with such values.
+/// Map {at, value} for such values.
 struct Point {
   Quantity time, value;
 };
@@ -1355,7 +1355,7 @@ Value value_of(SignalTerm::Point& point, const Point& kind) {
   })};
 }
 
-/// A map whose keys a function lists.
+/// A map whose keys are listed by a function.
 template <class List>
 struct KeysOf {
   List list;

@@ -6,14 +6,14 @@
 
 namespace prs::input {
 
-/// Equidistant values, ends included, as they are written; a single value has no `steps`.
+/// Equidistant values, ends included, as written in the file; a single value has no `steps`.
 struct Range {
   double from = 0.0;
   double to = 0.0;
   std::optional<int> steps;
 };
-/// Values of any kind as they are written: a list of them, or a range between two numbers that
-/// carry the same unit, ends included.
+/// Values of any kind as written in the file: a list, or a range, ends included, between two numbers with the same
+/// unit.
 struct WrittenRange {
   enum class Spacing { linear, logarithmic };
 
@@ -23,10 +23,10 @@ struct WrittenRange {
 };
 struct WrittenValues {
   std::vector<std::string> list;
-  std::optional<WrittenRange> range;  ///< In place of the list.
+  std::optional<WrittenRange> range;  ///< Range, if not a list.
 };
 
-/// A load case as it is written: a range of forces is not yet expanded.
+/// A load case as written in the file: a range of forces is not yet expanded.
 struct LoadCaseItem {
   std::optional<std::string> name;
   LoadCase::Share share = LoadCase::Share::solved;
@@ -39,7 +39,7 @@ struct LoadCaseItem {
   std::optional<Modes> modes;
 };
 
-/// The ends of an interval, and a normal distribution, as they are written.
+/// Interval or normal distribution as written in the file.
 struct WrittenInterval {
   std::string from, to;
 };
@@ -48,14 +48,14 @@ struct WrittenNormal {
   std::string deviation;
 };
 
-/// An input that changes with a factor, as it is written.
+/// An input that changes with a factor, as written in the file.
 struct CompanionItem {
   std::string path;
   std::optional<std::string> label;
   std::optional<WrittenValues> values;
 };
 
-/// A factor of a study as it is written.
+/// A factor of a study as written in the file.
 struct FactorItem : CompanionItem {
   std::optional<WrittenInterval> uniform, log_uniform;
   std::optional<WrittenNormal> normal;
@@ -64,7 +64,7 @@ struct FactorItem : CompanionItem {
   bool together = false, kept = false;
 };
 
-/// A point of an envelope and the envelope itself, as they are written.
+/// A point of an envelope and the envelope itself, as written in the file.
 struct EnvelopePointItem {
   enum class Wanted { best };
 
@@ -80,7 +80,7 @@ struct EnvelopeItem {
   std::vector<EnvelopePointItem> points;
 };
 
-/// A study as it is written.
+/// A study as written in the file.
 struct StudyItem {
   Command command = Command::slip;
   Plan plan = Plan::one_at_a_time;
@@ -91,13 +91,13 @@ struct StudyItem {
   std::optional<EnvelopeItem> envelope;
 };
 
-/// An input that changes with a variable, as it is written.
+/// An input that changes with a variable, as written in the file.
 struct LinkedInputItem {
   std::string path;
   std::vector<std::string> values;
 };
 
-/// A variable as it is written.
+/// A variable as written in the file.
 struct VariableItem {
   std::string path;
   std::optional<std::string> label;
@@ -122,7 +122,7 @@ struct CompromiseItem {
   std::string of;
 };
 
-/// An optimization as it is written.
+/// An optimization as written in the file.
 struct OptimizeItem {
   Command command = Command::contact;
   std::vector<VariableItem> variables;
@@ -137,7 +137,7 @@ struct OptimizeItem {
   CompromiseItem compromise;
 };
 
-/// A parameter of a fit as it is written.
+/// A parameter of a fit as written in the file.
 struct FitParameterItem {
   struct Prior {
     std::string mean, deviation;
@@ -150,14 +150,14 @@ struct FitParameterItem {
   std::optional<Prior> prior;
 };
 
-/// What rows of a curve or a band set, as it is written.
+/// Settings of the rows of a curve or a band, as written in the file.
 struct FitConditionItem {
   std::string path;
   std::optional<std::string> column, unit, value;
   std::optional<WrittenValues> values;
 };
 
-/// A curve of a fit, or a band, as it is written.
+/// A curve of a fit, or a band, as written in the file.
 struct FitCurveItem {
   struct Column {
     std::optional<std::string> column, unit;
@@ -178,7 +178,7 @@ struct FitCurveItem {
 };
 struct FitBandItem : FitCurveItem {};
 
-/// A fit as it is written.
+/// A fit as written in the file.
 struct FitItem {
   std::vector<FitParameterItem> parameters;
   std::vector<FitCurveItem> curves;
@@ -188,7 +188,7 @@ struct FitItem {
   std::vector<FitBandItem> bands;
 };
 
-/// A curve of another program or a test that `prs compare` holds the case against, as it is written.
+/// A curve of another program or a test with which `prs compare` compares the case, as written in the file.
 struct ReferenceItem {
   struct Column {
     std::optional<std::string> column, unit;
@@ -204,7 +204,7 @@ struct ReferenceItem {
   std::optional<Along> along;
 };
 
-/// A file as it is written: `values` lacks the load cases.
+/// A file as it is written: `values` does not yet have the load cases.
 struct CaseFile {
   Case values;
   std::vector<LoadCaseItem> load_cases;
@@ -214,7 +214,7 @@ struct CaseFile {
   std::optional<OptimizeItem> optimize;
   std::optional<FitItem> fit;
   std::vector<ReferenceItem> references;
-  bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
+  bool speeds_follow_lead = false;  ///< Whether speeds are stated along the axis.
 };
 
 }  // namespace prs::input

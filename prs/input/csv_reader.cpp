@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLongestRow = std::size_t{1} << 20;
 
-/// Length of a line with its end.
+/// Length of a line, with its line end.
 std::size_t line_length(std::string_view text) {
   const void* end = text.empty() ? nullptr : std::memchr(text.data(), '\n', text.size());
   if (end == nullptr) return text.size();
@@ -31,17 +31,18 @@ char separator_of(std::string_view line) {
   return ',';
 }
 
-constexpr std::size_t kLongestNumber = 64;  ///< Longer fields are none, and would take the stack of std::regex.
+/// Longer fields are not numbers, and would exhaust the stack of std::regex.
+constexpr std::size_t kLongestNumber = 64;
 
-/// The number of a field with a decimal comma: sign, groups of thousands, decimals.
+/// Pattern of a number with a decimal comma: sign, groups of thousands, decimals.
 const std::regex& decimal_comma_number() {
   static const std::regex number(R"(\s*([+-]?(?:\d+|\d{1,3}(?:[. ']\d{3})+))(?:,(\d+(?:[eE][+-]?\d+)?))?\s*)",
                                  std::regex::optimize);
   return number;
 }
 
-/// Marks columns of a line whose numbers have a decimal comma. Between semicolons a comma is one; between tabs `1,500`
-/// may be fifteen hundred, and other numbers must show it.
+/// Marks columns of a line whose numbers have a decimal comma. Between semicolons any comma is a decimal one; between
+/// tabs `1,500` may be fifteen hundred, and other numbers of the line must show which.
 void mark_decimal_commas(std::string_view line, char separator, std::vector<bool>& columns) {
   std::size_t column = 0, begin = 0;
   bool quoted = false;
@@ -62,9 +63,9 @@ void mark_decimal_commas(std::string_view line, char separator, std::vector<bool
   }
 }
 
-/// Writes a number with a decimal comma or marks between thousands as all others; false of other fields. In a column
-/// without a decimal comma, beside others that have it, `1.250` may be either, and is written so that nobody reads it
-/// as a number.
+/// Rewrites a number with a decimal comma or marks between thousands in the usual form; false for other fields. In a
+/// column without a decimal comma, beside columns that have it, `1.250` is ambiguous and is written so that it is not
+/// read as a number.
 bool write_with_point(std::string_view field, bool has_commas, std::string& number) {
   if (field.size() > kLongestNumber || field.find_first_of(",. '") == field.npos) return false;
   std::cmatch parts;
@@ -77,7 +78,7 @@ bool write_with_point(std::string_view field, bool has_commas, std::string& numb
   return true;
 }
 
-/// libcsv's parser, which is told bytes and tells fields and ends of rows.
+/// libcsv's parser: takes bytes, reports fields and ends of rows.
 class FieldParser {
  public:
   explicit FieldParser(char separator) {
@@ -95,14 +96,14 @@ class FieldParser {
     rows_ = 0;
   }
 
-  /// Takes bytes; the number of those before what is malformed.
+  /// Parses bytes; returns how many precede the first malformed one.
   std::size_t take(std::string_view bytes) {
     const std::size_t taken = csv_parse(&parser_, bytes.data(), bytes.size(), on_field, on_row, this);
     check();
     return taken;
   }
 
-  /// The text ends here; false within quotes.
+  /// Ends the text; false within quotes.
   bool finish() {
     const bool complete = csv_fini(&parser_, on_field, on_row, this) == 0;
     check();
@@ -122,7 +123,7 @@ class FieldParser {
   }
 
  private:
-  // Exceptions do not pass through the library.
+  // Exceptions must not pass through the C library.
   static void on_field(void* bytes, std::size_t size, void* self) {
     auto& parser = *static_cast<FieldParser*>(self);
     try {
@@ -173,7 +174,7 @@ struct CsvReader::Parts {
     return columns;
   }
 
-  /// Passes empty lines and comments.
+  /// Skips empty lines and comments.
   void skip_to_row() {
     while (next < text.size() && (text[next] == '#' || is_blank(line()))) next += line().size();
   }
@@ -205,13 +206,13 @@ struct CsvReader::Parts {
   }
 
   std::string_view text;
-  std::size_t next;     ///< Offset of the line that comes next.
+  std::size_t next;     ///< Offset of the next line.
   std::size_t row = 0;  ///< Offset at which the row begins.
   char separator;
-  std::vector<bool> decimal_commas;  ///< By column; empty: none has them.
+  std::vector<bool> decimal_commas;  ///< Flags by column; empty: no column has decimal commas.
   FieldParser parser;
   std::vector<std::string_view> fields;
-  std::vector<std::string> numbers;  ///< Fields with decimal commas, as others write them.
+  std::vector<std::string> numbers;  ///< Fields with decimal commas, in the usual form.
 };
 
 CsvReader::CsvReader(std::string_view text) : parts_(std::make_unique<Parts>(text)) {}

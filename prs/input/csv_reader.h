@@ -20,13 +20,12 @@ class CsvError : public std::runtime_error {
   std::size_t offset_;
 };
 
-/// Rows of a text of comma-separated values after RFC 4180: fields in double quotes may hold
-/// separators, line ends and doubled quotes, lines end with LF or CR LF. Fields are separated by
-/// commas, semicolons or tabs, whichever the first row has first outside quotes. Blanks around
-/// fields, empty lines, lines that start with `#` and a byte order mark are skipped. Between semicolons
-/// or tabs numbers may have decimal commas and marks between thousands, as European spreadsheets write
-/// them: `fields` has them with a point, and as no number what may be either, `1.250` in a column without a comma. Rows
-/// are read one at a time; none is longer than 1 MiB.
+/// Rows of a text of comma-separated values after RFC 4180: fields in double quotes may hold separators, line ends and
+/// doubled quotes, lines end with LF or CR LF. Fields are separated by commas, semicolons or tabs, whichever comes
+/// first in the first row outside quotes. Blanks around fields, empty lines, lines that start with `#` and a byte order
+/// mark are skipped. Between semicolons or tabs numbers may have decimal commas and marks between thousands, as
+/// European spreadsheets write them: `fields` has them with a point; ambiguous ones, such as `1.250` in a column
+/// without a comma, are not numbers. Rows are read one at a time; the longest allowed row has 1 MiB.
 class CsvReader {
  public:
   /// The text must outlive the reader.
@@ -35,7 +34,7 @@ class CsvReader {
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
-  /// Reads the next row; false where there is none. Throws CsvError.
+  /// Reads the next row; false at the end. Throws CsvError.
   bool next();
 
   /// Fields of the row, valid until the next row is read.
@@ -44,7 +43,7 @@ class CsvReader {
   /// Offset at which the row begins in the text.
   std::size_t row_offset() const;
 
-  /// Offset of a field of a row that begins at `row`; behind the last field, of the end of the row.
+  /// Offset of a field of a row that begins at `row`; after the last field, of the end of the row.
   std::size_t field_offset(std::size_t row, std::size_t field) const;
 
  private:

@@ -6,19 +6,19 @@
 /// Files other than a case whose keys are described in the same vocabulary.
 namespace prs::input {
 
-/// Reads a document by the description of its keys, each value on its own.
+/// Reads a document by the description of its keys, each value independently.
 void read_described(const Node& root, const Value& description, ErrorList& errors);
 
-/// Its values with defaults in place, each as it was written.
+/// Values of the document with defaults filled in, each as it was written.
 nlohmann::ordered_json resolved(const Node& root, const Value& description);
 
-/// Every value next to what was written of it.
+/// Entry for every value, with the text that was written for it.
 std::vector<EchoEntry> echo_of(const Node& root, const Value& description);
 
 /// JSON Schema of such a file, see `schema`.
 nlohmann::ordered_json schema_of(std::string_view title, const Value& description);
 
-// Blocks of a case that other files have with the same keys.
+// Blocks of a case that other files share.
 void alternatives(Choices& io, Mechanism::Type& type);
 void alternatives(Choices& io, MeasureOptions::Ends& ends);
 void alternatives(Choices& io, Direction& direction);

@@ -10,16 +10,16 @@
 namespace prs::input {
 namespace {
 
-/// Without the difference of small and large letters, and of what joins words.
+/// Lower-case letter; the characters that join words become one.
 char plain(char c) {
   if (c == '-' || c == '_') return ' ';
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
 }
 
-/// Letters to change, insert or delete to get from one word to the other.
+/// Number of letters to change, insert or delete to turn one word into another.
 struct EditDistance {
   std::size_t whole;
-  std::size_t beginning;  ///< To what the other word begins with, where that is least.
+  std::size_t beginning;  ///< Smallest distance to a beginning of the other word.
 };
 
 EditDistance edit_distance(std::string_view a, std::string_view b) {
@@ -36,7 +36,7 @@ EditDistance edit_distance(std::string_view a, std::string_view b) {
   return {row.back(), *std::ranges::min_element(row)};
 }
 
-/// Distance of whole words, or little more than that of a word to what the other begins with.
+/// Distance of whole words, or slightly more than the distance of a word to a beginning of the other.
 std::size_t distance(std::string_view word, std::string_view known) {
   const std::size_t beginning = std::min(edit_distance(word, known).beginning, edit_distance(known, word).beginning);
   return std::min(edit_distance(word, known).whole, beginning + 1);

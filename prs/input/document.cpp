@@ -20,22 +20,22 @@ namespace {
 
 constexpr std::size_t kDeepest = 64;
 constexpr std::size_t kMostValues = 200'000;
-constexpr std::size_t kMostBadKeys = 20;  // That are told of.
+constexpr std::size_t kMostBadKeys = 20;  // Largest number of keys reported.
 
-/// Values that a scalar counts for, so that long texts are bounded too.
+/// Number of values that a scalar counts as, so that long texts are bounded too.
 std::size_t weight(const Node& node) { return 1 + node.text.size() / 64; }
 
 /// Builds the tree of one YAML document from the parser's events.
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  /// `at`: where an override takes effect; everything in it stands there.
+  /// `at`: place where an override takes effect, which all its values get.
   TreeBuilder(std::optional<Place> at, std::string path, ErrorList& errors)
       : at_(at), path_(std::move(path)), errors_(errors) {}
 
   Node take_root() { return std::move(root_); }
   bool has_root() const { return has_root_; }
 
-  /// Adds errors found outside the tree. Call it once the whole text is known to be YAML.
+  /// Adds errors found outside the tree. Call it after the whole text has proved to be YAML.
   void report_keys() const {
     for (const BadKey& k : bad_keys_) errors_.add(k.place, k.path, k.message);
   }
@@ -84,8 +84,8 @@ class TreeBuilder final : public YAML::EventHandler {
     Node node;
     YAML::anchor_t anchor = 0;
     std::size_t size_before = 0;
-    std::optional<Node> key;  ///< Read, while its value is awaited.
-    bool drop_value = false;  ///< The key is a bad one.
+    std::optional<Node> key;  ///< Key already read, whose value comes next.
+    bool drop_value = false;  ///< Whether the key is bad and its value is dropped.
     std::unordered_map<std::string, Place> keys;
   };
   struct Anchored {
@@ -101,7 +101,7 @@ class TreeBuilder final : public YAML::EventHandler {
     return at_.value_or(Place{static_cast<std::size_t>(std::max(mark.pos, 0))});
   }
 
-  /// Key path of the value that comes next.
+  /// Key path of the next value.
   std::string here() const {
     std::string path = path_;
     for (const Frame& f : frames_) {
@@ -212,8 +212,8 @@ class TreeBuilder final : public YAML::EventHandler {
   std::vector<BadKey> bad_keys_;
 };
 
-/// Length of the UTF-8 character at the head of a text; 0 where it is malformed or a control
-/// character that no text file holds.
+/// Length of the first UTF-8 character of a text; 0 if it is malformed or a control character not allowed in text
+/// files.
 std::size_t character_length(std::string_view text) {
   const bool is_control = (text[0] >= 0 && text[0] < ' ') || text[0] == '\x7F';
   return is_control && std::string_view("\t\n\r").find(text[0]) == text.npos ? 0 : sequence_length(text);
@@ -243,14 +243,13 @@ struct Malformed {
   std::string message;
 };
 
-/// What is wrong with a text that is no YAML, and where. `at`: where the parser gave up, which may
-/// be in the line below.
+/// Error in a text that is not YAML, with its place. `at`: where the parser stopped, which may be in the line below.
 Malformed malformed(std::string_view text, std::size_t at, std::string_view why) {
   const std::size_t whole = text.size();
   text = text.substr(0, text.find('\n', std::min(at, whole)));
   for (int lines = 0; lines < 2 && !text.empty(); ++lines) {
     const std::size_t end = text.rfind('\n');
-    std::string_view line = text.substr(end + 1);  // The whole text where there is none.
+    std::string_view line = text.substr(end + 1);  // Becomes the whole text if there is no line end.
     const std::size_t key = std::min(line.find_first_not_of(" \t-"), line.size());
     if (line.substr(0, key).find('\t') != std::string_view::npos)
       return {end + 1, "got a tab before the key; expected blanks; replace every tab by blanks"};
@@ -267,7 +266,7 @@ Malformed malformed(std::string_view text, std::size_t at, std::string_view why)
                                            why)};
 }
 
-/// The tree of one YAML text; none where it holds nothing but comments.
+/// The tree of one YAML text; none if the text has only comments.
 std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at, const std::string& path,
                                ErrorList& errors) {
   check_encoding(text, at, path, errors);
@@ -298,7 +297,7 @@ struct Step {
   bool is_entry() const { return index || !name.empty(); }
 };
 
-/// `load_cases[0].axial_force` -> key, index, key; nothing where the path is malformed.
+/// `load_cases[0].axial_force` -> key, index, key; none if the path is malformed.
 std::optional<std::vector<Step>> split_path(std::string_view path) {
   std::vector<Step> steps;
   while (true) {
@@ -329,7 +328,7 @@ std::string_view name_of(const Node& entry) {
   return name && name->kind == Node::Kind::scalar ? std::string_view(name->text) : "";
 }
 
-/// The entry of a list, the first of several of a name; null where there is none.
+/// The entry of a list, the first if several have the name; null if there is none.
 const Node* entry_of(const Node& list, const Step& step) {
   const auto found =
       step.index ? list.children.begin() + static_cast<std::ptrdiff_t>(std::min(*step.index, list.children.size()))
@@ -337,7 +336,7 @@ const Node* entry_of(const Node& list, const Step& step) {
   return found == list.children.end() ? nullptr : &*found;
 }
 
-/// What keeps a step from being one entry of a list; empty where it is one.
+/// Reason why a step is not one entry of a list; empty if it is.
 std::string no_entry(const Node& list, const Step& step) {
   if (list.kind != Node::Kind::sequence) return "the brackets have no list; expected a path that exists";
   if (step.index)
@@ -364,8 +363,8 @@ std::string no_entry(const Node& list, const Step& step) {
       list.children.size(), hint.empty() ? "" : "; ", hint);
 }
 
-/// The node at the end of the steps, created where it is missing; null where they lead nowhere.
-/// `at`, of an override, follows to the innermost value of the file.
+/// The node at the end of the steps, created if missing; null if they lead nowhere. `at`, of an override, moves to the
+/// innermost value of the file.
 Node* descend(Node& root, const std::vector<Step>& steps, const std::string& path, Place& at, ErrorList& errors) {
   Node* node = &root;
   const auto refuse = [&](std::string_view message) {
@@ -405,7 +404,7 @@ Node* descend(Node& root, const std::vector<Step>& steps, const std::string& pat
   return node;
 }
 
-/// Whether a text means the same without its quotes: words and quantities do, numbers do not.
+/// Whether a text means the same without quotes: words and quantities do, numbers do not.
 bool needs_no_quotes(const std::string& text) {
   const auto is_alphanumeric = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
@@ -420,7 +419,7 @@ bool needs_no_quotes(const std::string& text) {
          scalar_type({.kind = Node::Kind::scalar, .text = text}) == ScalarType::text;
 }
 
-/// A scalar as it must stand inside `[..]` and `{..}`.
+/// A scalar in the form required inside `[..]` and `{..}`.
 std::string flow_scalar(const Node& scalar, bool inside) {
   const bool bare =
       !scalar.text.empty() && (scalar.quoted ? needs_no_quotes(scalar.text)
@@ -470,7 +469,7 @@ bool set_value(Node& root, const std::string& path, Node value, Place at, ErrorL
 
 void apply_override(Node& root, const Source& source, std::size_t index, ErrorList& errors) {
   const std::string& text = source.overrides[index];
-  Place at{0, static_cast<int>(index)};  // of the innermost value of the file on the path
+  Place at{0, static_cast<int>(index)};  // Place of the innermost value of the file on the path.
   const std::size_t equals = text.find('=');
   const std::string path = text.substr(0, equals);
   const auto steps = split_path(path);

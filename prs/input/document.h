@@ -4,12 +4,12 @@
 
 namespace prs::input {
 
-/// One value of a YAML document and where it stands.
+/// One value of a YAML document and its place.
 struct Node {
   enum class Kind { null, scalar, sequence, map };
 
   Kind kind = Kind::null;
-  bool quoted = false;    ///< A scalar in quotes or in a text block: never a number.
+  bool quoted = false;    ///< Whether a scalar is in quotes or a text block: then never a number.
   std::string text = {};  ///< Text of a scalar.
   Place place = {};
 
@@ -21,10 +21,10 @@ struct Node {
 /// The value under a key of a map, or null.
 const Node* find(const Node& map, std::string_view key);
 
-/// Whether a value is a map {screw, roller, nut} or part of one.
+/// Whether a value is a map {screw, roller, nut} or has one of these keys.
 bool is_per_part(const Node& node);
 
-/// What a scalar is to every reader of YAML 1.2: `5` is a number, `"5"` and `5 mm` are texts.
+/// Type of a scalar for every reader of YAML 1.2: `5` is a number, `"5"` and `5 mm` are texts.
 enum class ScalarType { text, number, boolean };
 ScalarType scalar_type(const Node& scalar);
 
@@ -38,36 +38,34 @@ ScalarType scalar_type(const Node& scalar);
 /// InputError; duplicate keys are added to `errors` and the first occurrence stays.
 Node read_document(const Source& source, ErrorList& errors);
 
-/// Sets the value at a path; maps that are missing are created. The key, and whatever is created,
-/// stands at `at`; the value keeps its own place. Adds an error at `at` and returns false where the
-/// path leads nowhere.
+/// Sets the value at a path; missing maps are created. The key, and created maps, get the place `at`; the value keeps
+/// its own. Adds an error at `at` and returns false if the path leads nowhere.
 bool set_value(Node& root, const std::string& path, Node value, Place at, ErrorList& errors);
 
 /// Applies the override with this index of the source that `errors` belongs to. Throws InputError.
 void apply_override(Node& root, const Source& source, std::size_t index, ErrorList& errors);
 
-/// The value as YAML on one line: what `--set PATH=` takes.
+/// The value as YAML on one line, as `--set PATH=` takes it.
 std::string flow_text(const Node& value);
 
 /// The value at a path, or null.
 const Node* find_path(const Node& root, std::string_view path);
 
-/// The path with names of entries as their places: `load_cases[0].axial_force` of
-/// `load_cases[pull].axial_force`. Unchanged where it leads nowhere.
+/// The path with indices in place of entry names: `load_cases[0].axial_force` for `load_cases[pull].axial_force`.
+/// Unchanged if it leads nowhere.
 std::string with_indices(const Node& root, const std::string& path);
 
-/// Whether the node, one below it or one of their keys stands at the place.
+/// Whether the node, a node below it or one of their keys is at the place.
 bool stands_in(const Node& node, Place place);
 
-/// Place of the value at a path such as `load_cases[0].axial_force`; where it is absent, that of
-/// the key of the innermost map that exists.
+/// Place of the value at a path such as `load_cases[0].axial_force`; if absent, place of the key of the innermost map
+/// that exists.
 Place locate(const Node& root, std::string_view path);
 
 /// Adds an error at the place of a path.
 void refuse(const Node& root, std::string_view path, std::string_view message, ErrorList& errors);
 
-/// Throws the InputError that names the place of `path` in the source, for what turns out to be
-/// wrong only after the case was read.
+/// Throws the InputError that names the place of `path` in the source, for an error found only after the case was read.
 [[noreturn]] void fail_at(const Source& source, std::string_view path, std::string_view message);
 template <class Arg, class... Args>
 [[noreturn]] void fail_at(const Source& source, std::string_view path, fmt::format_string<Arg, Args...> message,
@@ -75,8 +73,7 @@ template <class Arg, class... Args>
   fail_at(source, path, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
 }
 
-/// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
-/// reported where it stands.
+/// Runs `compute` on a case that came from `source`, so that errors of the case are reported at their places.
 template <class Compute>
 auto compute_from(const Source& source, Compute compute) {
   try {

@@ -13,7 +13,7 @@
 namespace prs::input {
 namespace {
 
-/// Lists the values of one map next to what was written of them (null where nothing was).
+/// Lists the values of one map with the text written for each (null if there was none).
 class Lister {
  public:
   explicit Lister(std::vector<EchoEntry>& entries) : entries_(entries) {}
@@ -31,7 +31,7 @@ class Lister {
     std::visit([&](const auto& v) { list(node, path, v); }, value.as);
   }
 
-  /// One value that stands on one line.
+  /// Lists one value that takes one line.
   void list_line(const Node* node, const std::string& path, const Value& value) {
     EchoEntry& entry = entries_.emplace_back();
     entry = {path, text_of(value), node == nullptr};
@@ -106,7 +106,7 @@ std::size_t comment_in(std::string_view line) {
 
 /// `assumed VALUE: REASON`
 struct Mark {
-  std::string_view value;  ///< Empty: whatever stands there.
+  std::string_view value;  ///< Empty: any value.
   std::string_view reason;
 };
 
@@ -124,7 +124,7 @@ std::optional<Mark> mark_in(std::string_view comment) {
   return std::nullopt;
 }
 
-/// A value that stands by itself; absent where it is no YAML.
+/// A separate value of a text; absent if it is not YAML.
 std::optional<Node> value_of(std::string_view text) try {
   const Source source = source_of_text("", "value: " + std::string(text), {});
   ErrorList errors(source);
@@ -138,7 +138,7 @@ std::optional<Node> value_of(std::string_view text) try {
 
 using Reasons = std::unordered_map<const Node*, std::string>;
 
-/// Marks the scalars of a value that are still as they were assumed; `was` null: all of them.
+/// Marks the scalars of a value that still equal the assumed ones; `was` null: all of them.
 void mark(const Node& value, const Node* was, std::string_view reason, Reasons& reasons) {
   if (value.place.argument >= 0 || (was && was->kind != value.kind)) return;
   if (value.kind == Node::Kind::scalar && (!was || was->text == value.text)) reasons.try_emplace(&value, reason);
@@ -183,7 +183,7 @@ class FirstOnLine {
   std::unordered_map<std::size_t, const Node*> first_;
 };
 
-/// The reasons of all scalars that comments mark.
+/// Reasons of all scalars that comments mark.
 Reasons marked(const Node& root, std::string_view text) {
   const FirstOnLine first(root, text);
   Reasons reasons;
@@ -194,7 +194,7 @@ Reasons marked(const Node& root, std::string_view text) {
     if (found->value.empty()) return mark(*node, nullptr, found->reason, reasons);
     if (const std::optional<Node> was = value_of(found->value)) mark(*node, &*was, found->reason, reasons);
   };
-  std::string above;  // The mark on the lines before, and whether the next one may continue it.
+  std::string above;  // Mark on the lines above, which may still continue.
   bool is_open = false;
   std::size_t number = 0;
   for (std::size_t at = 0; at < text.size(); ++number) {
@@ -219,7 +219,7 @@ Reasons marked(const Node& root, std::string_view text) {
   return reasons;
 }
 
-/// The reason of a value all of whose scalars are marked; null for others.
+/// Reason of a value all of whose scalars are marked; null for others.
 const std::string* reason_of(const Node& node, const Reasons& reasons) {
   const std::string* reason = nullptr;
   if (node.kind == Node::Kind::scalar)
@@ -267,7 +267,7 @@ std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& ent
 
 namespace {
 
-/// Behind the bracket that closes the one at `at`; npos where none does.
+/// Offset after the bracket that closes the one at `at`; npos if it is not closed.
 std::size_t end_of_brackets(std::string_view text, std::size_t at) {
   int depth = 0;
   for (; at < text.size(); ++at) {
@@ -284,7 +284,7 @@ std::size_t end_of_brackets(std::string_view text, std::size_t at) {
   return text.npos;
 }
 
-/// Behind a value that stands on one line; npos where it does not.
+/// Offset after a value on one line; npos if it takes several lines.
 std::size_t end_of_value(std::string_view text, const Node& node) {
   const std::size_t at = node.place.offset;
   if (at >= text.size()) return text.npos;
@@ -298,14 +298,14 @@ std::size_t end_of_value(std::string_view text, const Node& node) {
   return is_plain ? at + node.text.size() : text.npos;
 }
 
-/// `nut_tilt: {z: 0.1 deg}` of `nut_tilt.z`
+/// `nut_tilt: {z: 0.1 deg}` for the path `nut_tilt.z`
 std::string entry(std::string_view path, const std::string& value) {
   const std::size_t dot = path.find('.');
   if (dot == path.npos) return std::string(path) + ": " + value;
   return std::string(path.substr(0, dot)) + ": {" + entry(path.substr(dot + 1), value) + "}";
 }
 
-/// Adds a value to the innermost map on its path that stands in the text.
+/// Adds a value to the innermost map on its path that the text has.
 bool insert(std::string& text, const Node& root, const std::string& path, const std::string& value) {
   std::size_t cut = path.size();
   const Node* map = nullptr;
@@ -368,7 +368,7 @@ Json written_json(const Node& node) {
 
 Json json_of(const Node* node, const Value& value);
 
-/// In the unit that the file has: studies vary it in this unit.
+/// Value in the unit of the file, in which studies vary it.
 template <class Kind, class T>
 Json json_of(const Node* node, const Leaf<Kind, T>& leaf) {
   if constexpr (std::is_same_v<Kind, Verbatim>)
@@ -406,7 +406,7 @@ Json json_of(const Node* node, const MapValue& map) {
 
 Json json_of(const Node* node, const ChoiceUnderKey& under) {
   const Node* choice = node ? find(*node, under.key) : nullptr;
-  // As it was written, so that paths into it stay what they are.
+  // Form as written, so that paths into it stay valid.
   if (node && !choice) return json_of(node, under.choice);
   return {{under.key, json_of(choice, under.choice)}};
 }
@@ -428,7 +428,7 @@ Json json_of(const Node* node, const Value& value) {
   return std::visit([&](const auto& v) { return json_of(node, v); }, value.as);
 }
 
-/// The text of the file that a case names; none where it cannot be read, as only `life` needs it.
+/// Text of the file that a case names; none if it cannot be read, as only `life` needs it.
 std::optional<std::string> history_text(const HistorySource& history, const Source& source) {
   try {
     return force_history_text(history, source);
@@ -437,7 +437,7 @@ std::optional<std::string> history_text(const HistorySource& history, const Sour
   }
 }
 
-/// The history with the place of its file, wherever the case is written to, and its hash.
+/// The history with the absolute path of its file, as the case may be written elsewhere, and its hash.
 Json located(const Json& history, const HistorySource& read, const Source& source) {
   const std::optional<std::string> text = history_text(read, source);
   Json whole;
@@ -470,7 +470,7 @@ std::optional<std::string> written_case(const Source& source) try {
   if (!is_same(document_of(written), document_of(source))) return std::nullopt;
   return written.text;
 } catch (const InputError&) {
-  document_of(source);  // Wrong as it was given: that is the error to tell.
+  document_of(source);  // Throws if the source was wrong before: then that is the error to report.
   return std::nullopt;
 }
 
@@ -499,7 +499,7 @@ std::string input_sha256(const Source& source, std::optional<Command> command) {
     file.values.response->for_each_signal([&](const std::string& path, const Signal& signal) {
       for (const SignalTerm& term : signal.many.empty() ? std::vector{signal.one} : signal.many) try {
           if (term.file) texts.push_back(named_file_text(term.file->name, path, source));
-        } catch (const InputError&) {  // What the command tells.
+        } catch (const InputError&) {  // The command reports this error.
         }
     });
   const auto add = [&](const auto& items, const char* list) {
@@ -520,13 +520,13 @@ std::string input_sha256(const Source& source, const std::vector<std::string>& f
 
 namespace {
 
-/// Magnitudes of a value that are usual, ends included, as they would stand in a file; one without
-/// an end has no limit there. The path stands for that of each part and each entry of a list.
+/// Usual magnitudes of a value, ends included, as text of a file; an empty end is no limit. The path applies to each
+/// part and each entry of a list.
 struct UsualValue {
   std::string_view path;
   std::string_view least;
   std::string_view greatest;
-  std::string_view example;  ///< What most have.
+  std::string_view example;  ///< Typical values.
 };
 
 constexpr UsualValue kUsual[] = {
@@ -534,12 +534,12 @@ constexpr UsualValue kUsual[] = {
     {"mechanism.lead", "0.2 mm", "100 mm", "catalogues have 1 mm to 50 mm"},
     {"mechanism.pitch_diameter", "1 mm", "500 mm", "screws in catalogues have 3.5 mm to 150 mm"},
     {"mechanism.centre_distance", "2 mm", "500 mm", "two thirds of the screw's diameter"},
-    // From polymers of nuts (polyoxymethylene, polyether ether ketone) to tungsten carbide.
+    // Polymers of nuts (polyoxymethylene, polyether ether ketone) to tungsten carbide.
     {"materials.youngs_modulus", "1 GPa", "700 GPa", "steel has 190 GPa to 215 GPa"},
     {"materials.poisson_ratio", "0.15", "0.44", "steel has 0.27 to 0.3"},
     {"materials.density", "900 kg/m^3", "16000 kg/m^3", "steel has 7700 kg/m^3 to 8000 kg/m^3"},
     {"materials.thermal_expansion", "2 um/m/K", "150 um/m/K", "steel has 10 um/m/K to 17 um/m/K"},
-    // From a nut on springs to a block of steel.
+    // A nut on springs to a block of steel.
     {"structure.nut.housing.axial", "100 N/mm", "1e6 kN/mm", "housings have 10 kN/mm to 10000 kN/mm"},
     {"structure.nut.housing.lateral", "1 N/mm", "1e6 kN/mm", "housings have 10 kN/mm to 10000 kN/mm"},
     // The largest static capacities in catalogues are about 3 MN.
@@ -553,14 +553,14 @@ constexpr UsualValue kUsual[] = {
     // n d of 150,000 mm/min is 37,500 rpm of the smallest screw.
     {"load_cases.speed", "", "40000 rpm", "n d is at most 150000 mm/min"},
     {"operation.speed", "", "40000 rpm", "n d is at most 150000 mm/min"},
-    // From lathe-turned to superfinished flanks.
+    // Lathe-turned to superfinished flanks.
     {"roughness", "0.01 um", "5 um", "ground flanks have Rq 0.2 um to 0.8 um"},
-    // Thin oil when hot to the base oil of a stiff grease when cold.
+    // Thin hot oil to the cold base oil of a stiff grease.
     {"lubricant.viscosity", "1 mPa s", "50 Pa s", "oil in operation has 5 mPa s to 500 mPa s"},
     {"lubricant.viscosity_at.viscosity", "1 mPa s", "50 Pa s", "oil has 5 mPa s to 500 mPa s"},
     {"lubricant.viscosity_at.kinematic_viscosity", "1 mm^2/s", "50000 mm^2/s",
      "ISO VG grades have 2 mm^2/s to 1500 mm^2/s at 40 degC"},
-    // Below lie cold space hardware and superconductors, above no oil lives.
+    // Lower: cold space hardware and superconductors; higher: oils decompose.
     {"lubricant.temperature", "200 K", "570 K", "-50 degC to 200 degC"},
     {"lubricant.viscosity_at.temperature", "200 K", "570 K", "40 degC and 100 degC"},
     {"deviations.temperature", "200 K", "570 K", "-50 degC to 200 degC"},
@@ -569,16 +569,16 @@ constexpr UsualValue kUsual[] = {
     {"lubricant.density", "600 kg/m^3", "2100 kg/m^3", "mineral oil has 860 kg/m^3 to 900 kg/m^3"},
     {"lubricant.pressure_viscosity", "3 1/GPa", "60 1/GPa", "oils have 10 1/GPa to 35 1/GPa"},
     {"lubricant.eyring_stress", "0.5 MPa", "50 MPa", "oils have 2 MPa to 20 MPa"},
-    // From full films to steel on steel without oil.
+    // Full films to steel on steel without oil.
     {"wear.coefficient", "1e-13 mm^3/(N m)", "1e-2 mm^3/(N m)", "lubricated steel has about 1e-8 mm^3/(N m)"},
-    // From water-like oils to filled greases; from titanium and austenite to copper alloys.
+    // Conductivity: water-like oils to filled greases. Below: titanium and austenite to copper alloys.
     {"lubricant.film.inlet_heating.conductivity", "0.05 W/(m K)", "0.7 W/(m K)",
      "oils have 0.12 W/(m K) to 0.16 W/(m K)"},
     {"lubricant.film.inlet_heating.temperature_coefficient", "0.005 1/K", "0.2 1/K", "oils have 0.02 1/K to 0.06 1/K"},
     {"materials.conductivity", "0.1 W/(m K)", "430 W/(m K)", "bearing steel has 45 W/(m K)"},
     {"materials.specific_heat", "100 J/(kg K)", "3000 J/(kg K)", "steel has 460 J/(kg K)"},
     {"heat.ambient", "200 K", "570 K", "-50 degC to 200 degC"},
-    // From a nut of a few mm in still air to one cooled by oil.
+    // A nut of a few mm in still air to one cooled by oil.
     {"heat.conductance.screw_ambient", "", "1000 W/K", "some W/K through bearings and housing"},
     {"heat.conductance.nut_ambient", "", "1000 W/K", "some W/K through seat and housing"},
     {"heat.conductance.rollers_ambient", "", "1000 W/K", "none, in a closed nut"},
@@ -592,7 +592,7 @@ constexpr UsualValue kUsual[] = {
     {"measures.shaft.length", "5 mm", "20 m", "ten to a hundred screw diameters"},
 };
 
-/// Whether the path is that of the row, or of one of its parts.
+/// Whether the path is that of the row or of one of its parts.
 bool is_of(std::string_view path, std::string_view row) {
   if (path == row) return true;
   for (const Part p : kParts) {
@@ -609,7 +609,7 @@ double end_of(std::string_view text, const Dimension* dimension, double where_ab
   return dimension ? parse_quantity(text, *dimension).value.value() : parse_number(text).value();
 }
 
-/// The same number in a unit in which it is usual; empty where there is none.
+/// Number with a unit that makes it usual; empty if there is none.
 std::string usual_unit(const EchoEntry& field, double least, double greatest) {
   const auto written = split_unit(field.written);
   if (!written || !field.dimension) return {};

@@ -17,22 +17,21 @@
 /// the schema (schema.cpp) or listed (echo.cpp).
 namespace prs::input {
 
-/// Whether a key must stand. A key that may be absent leaves its member as the struct initialises
-/// it.
+/// Whether a key is required. An absent key leaves its member as the struct initialises it.
 struct Presence {
   bool required = false;
   bool allowed = true;
-  std::string_view condition = {};  ///< On which that depends: `only with geometry: design`.
+  std::string_view condition = {};  ///< Condition in words: `only with geometry: design`.
 };
 
 inline constexpr Presence required{.required = true};
 inline constexpr Presence optional{};
 
-/// Required where the condition holds, refused elsewhere.
+/// Required if the condition holds, refused otherwise.
 constexpr Presence required_only_if(bool holds, std::string_view condition) { return {holds, holds, condition}; }
-/// May stand where the condition holds, refused elsewhere.
+/// Optional if the condition holds, refused otherwise.
 constexpr Presence optional_only_if(bool holds, std::string_view condition) { return {false, holds, condition}; }
-/// Required unless the condition holds; may stand in either case.
+/// Required unless the condition holds; optional then.
 constexpr Presence required_unless(bool holds, std::string_view condition) { return {!holds, true, condition}; }
 
 // How a value is written ------------------------------------------------------------------------
@@ -41,7 +40,7 @@ constexpr Presence required_unless(bool holds, std::string_view condition) { ret
 struct Quantity {
   const Dimension& dimension;
   Bounds bounds = unbounded;
-  std::string_view example = {};  ///< For messages, in place of the dimension's.
+  std::string_view example = {};  ///< Example for messages, in place of the dimension's.
 };
 
 /// `20000 h` or `500 km`: a quantity of one of two dimensions, each with a member of its own.
@@ -49,8 +48,8 @@ struct EitherQuantity {
   Quantity first, second;
 };
 
-/// `rigid`, `free` where that is allowed, or a stiffness. One below `least` holds nothing: a
-/// newton moves it by a kilometre, and displacements of microns drown in it.
+/// `rigid`, `free` where allowed, or a stiffness. A stiffness below `least` is refused: one newton would move it by a
+/// kilometre, and micrometres would be lost to rounding.
 struct Held {
   const Dimension& dimension;
   bool may_be_free = false;
@@ -68,7 +67,7 @@ struct Number {
 struct Whole {
   std::int64_t least;
   std::int64_t greatest;
-  std::string_view reason = {};  ///< Reason for the limits, for the message: "as .."
+  std::string_view reason = {};  ///< Reason for the limits, in messages: "as .."
 };
 
 /// `true` or `false`
@@ -76,27 +75,27 @@ struct Flag {};
 
 /// A line of 1 to 100 bytes.
 struct Text {
-  std::string_view example = "\"case-1\"";  ///< As it would stand in the file.
+  std::string_view example = "\"case-1\"";  ///< Text as in a file.
 };
 
 /// One of the words or of the maps with one key that `alternatives(io, value)` lists:
 /// `straight` or `{convex: 3 mm}`.
 struct Choice {};
 
-/// One of many words that `alternatives(io, value)` lists; messages refer to a command that does.
+/// One of many words that `alternatives(io, value)` lists; messages refer to a command that lists them.
 struct Listed {
   std::string_view command;  ///< `prs list lubricants`
 };
 
-/// A choice under a key of its own; one that is a map may do without it:
-/// `{model: jacod}`, `{model: {coulomb: 0.11}}` or `{coulomb: 0.11}`.
+/// A choice under a key of its own, which may be omitted if the choice is a map: `{model: jacod}`, `{model: {coulomb:
+/// 0.11}}` or `{coulomb: 0.11}`.
 struct ChoiceUnder {
   std::string_view key;
 };
 
 /// A map with the keys that `fields(io, value)` lists.
 struct Block {
-  std::string_view example = {};  ///< For messages, where no key must stand.
+  std::string_view example = {};  ///< Example for messages, if no key is required.
 };
 
 /// A map whose keys are described in place, by `list(io)`.
@@ -116,7 +115,7 @@ struct Each {
 template <class Kind>
 Each(Kind, Presence) -> Each<Kind>;
 
-/// One value for screw, roller and nut, or a map {screw, roller, nut}; of interfaces {screw, nut}.
+/// One value for all parts, or a map {screw, roller, nut}; {screw, nut} for interfaces.
 template <class Kind>
 struct OneOrEach {
   Kind kind;
@@ -199,24 +198,24 @@ struct Leaf {
 
 struct MapValue;
 
-/// A word, or a map with one key, beside which further ones may stand.
+/// A word, or a map with one key and possibly further ones.
 struct Alternative {
   std::string_view name;
   std::string_view meaning;
-  bool holds;  ///< Now.
+  bool holds;  ///< Whether it is the current choice.
   std::function<void()> choose;
-  std::function<Value()> content;  ///< Value of the key; none of a word.
-  std::function<MapValue()> map;   ///< The key with further ones; none where it stands alone.
+  std::function<Value()> content;  ///< Value of the key; none for a word.
+  std::function<MapValue()> map;   ///< The key with further ones; none without further keys.
 };
 
 struct ChoiceValue {
   std::function<std::vector<Alternative>()> alternatives;
-  std::string_view command = {};  ///< Command that lists them if they are many.
+  std::string_view command = {};  ///< Command that lists the alternatives if they are many.
 };
 
 struct Field;
 struct MapValue {
-  /// Calls with each key in turn, some of which depend on the values of those before.
+  /// Calls the function with each key in turn; some depend on values of previous ones.
   std::function<void(const std::function<void(const Field&)>&)> for_each;
   std::string_view example = {};
 };
@@ -232,7 +231,7 @@ struct ListValue {
   std::function<std::size_t()> size;
   std::function<void(std::size_t)> resize;
   std::function<Value(std::size_t)> entry;
-  std::vector<double>* numbers = nullptr;  ///< The entries, where they are quantities.
+  std::vector<double>* numbers = nullptr;  ///< The entries, if they are quantities.
 };
 
 /// One value or several.
@@ -241,9 +240,9 @@ struct OneOr {
 
   Form form;
   std::function<Value()> one, several;
-  std::string others = {};                              ///< How several are written, in words.
-  std::function<void()> spread = [] {};                 ///< Takes the one that was read for all.
-  bool are_several = false;                             ///< Now.
+  std::string others = {};                              ///< Description of the form with several values.
+  std::function<void()> spread = [] {};                 ///< Copies the single value to all.
+  bool are_several = false;                             ///< Whether the value currently has several.
   std::function<bool()> is_odd = [] { return false; };  ///< Whether several contradict each other.
 };
 
@@ -254,7 +253,7 @@ struct Value {
       as;
 };
 
-/// A key of a map, for the time of a call.
+/// A key of a map, valid for the time of a call.
 struct Field {
   std::string_view key;
   Presence presence;
@@ -262,8 +261,8 @@ struct Field {
   void* member;
   const void* kind;
   Value (*value_of)(void* member, const void* kind);
-  bool (*stands)(const void* member) = nullptr;      ///< None where there always is a value.
-  void (*make)(void* member, bool there) = nullptr;  ///< A new value, or none.
+  bool (*stands)(const void* member) = nullptr;      ///< Whether there is a value; null if there always is.
+  void (*make)(void* member, bool there) = nullptr;  ///< Makes a new value, or removes it.
 
   bool is_optional() const { return stands != nullptr; }
   bool has_value() const { return !stands || stands(member); }
@@ -272,7 +271,7 @@ struct Field {
     if (make) make(member, true);
   }
 
-  /// Calls `use` with the value, or with one made for the call.
+  /// Calls `use` with the value, or with a temporary one.
   template <class Use>
   auto sample(Use use) const {
     if (has_value()) return use(value());
@@ -283,7 +282,7 @@ struct Field {
   }
 };
 
-/// Calls `use` with the first entry, or with one made for the call.
+/// Calls `use` with the first entry, or with a temporary one.
 template <class Use>
 auto sample_entry(const ListValue& list, Use use) {
   if (list.size() > 0) return use(list.entry(0));
@@ -300,7 +299,7 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// Takes the keys of a block from its description.
+/// Receives the keys of a block from its description.
 class Fields {
  public:
   using Take = std::function<void(const Field&)>;
@@ -331,15 +330,15 @@ class Fields {
     (*this)(key, member, kind, optional, meaning);
   }
 
-  /// Takes a key of another description.
+  /// Receives a key of another description.
   void take(const Field& field) const { take_(field); }
 
  private:
   const Take& take_;
 };
 
-/// Takes the alternatives of a choice from their description: WORD, member, value, meaning, or KEY,
-/// member, value, content, kind, meaning.
+/// Receives the alternatives of a choice from their description: WORD, member, value, meaning, or KEY, member, value,
+/// content, kind, meaning.
 struct Choices {
   std::vector<Alternative> list;
 
@@ -353,13 +352,13 @@ struct Choices {
     (*this)(name, member, value, meaning);
     list.back().content = [&content, kind] { return value_of(content, kind); };
   }
-  /// `further` describes the keys that may stand beside KEY.
+  /// `further` describes the keys allowed beside KEY.
   template <class E, class T, class Kind, class List>
   void operator()(std::string_view name, E& member, std::type_identity_t<E> value, T& content, const Kind& kind,
                   std::string_view meaning, const Keys<List>& further);
 };
 
-/// The map that a description of keys makes.
+/// Map made from a description of keys.
 template <class Describe>
 MapValue map_of(Describe describe) {
   return {[describe](const Fields::Take& take) { describe(Fields(take)); }};
@@ -485,31 +484,30 @@ Value value_of(WrittenValues& values, const ListOrRange& kind);
 Value value_of(Signal& signal, const OneOrSum& kind);
 Value value_of(SignalTerm& term, const OneOrSum& kind);
 
-/// The plans of a study by their names.
+/// Plans of a study by their names.
 void alternatives(Choices& io, Plan& p);
 
-/// The whole input, described once: every key, its unit and bounds, whether it must stand, its
-/// meaning. Defaults are the member initialisers of the structs.
+/// The whole input, described once: every key, its unit and bounds, whether it is required, its meaning. Defaults are
+/// the member initialisers of the structs.
 void fields(const Fields& io, CaseFile& file);
 
-/// Whether a key is part of the resolved case. A length that nobody stated and that has no default is
-/// outside of its bounds.
+/// Whether a key is part of the resolved case. A length that is not stated and has no default is outside its bounds.
 bool stands(const Field& field);
 
 /// A value as a person would write it in the input.
 std::string text_of(const Value& value);
 
-/// The comment behind the line of a key; without one the line is left out.
+/// Comment at the end of a key's line; without one the line is omitted.
 using LineRemark = std::function<std::optional<std::string>(std::string_view key, const std::string& text)>;
 
-/// A block in the lines that a file has of it: a value or an entry of a list in each. Empty where no line is left.
+/// A block as lines of a file: one for each value or entry of a list. Empty if no line remains.
 std::string block_text(std::string_view key, const Value& block, const LineRemark& remark = {});
 
 /// ` > 0 and <= 5 mm`; empty without bounds.
 std::string text_of_bounds(const Bounds& bounds, const Quantity& quantity);
 std::string text_of_bounds(const Bounds& bounds, const Number& number);
 
-/// Whether what was written is several values.
+/// Whether several values were written.
 bool is_several(const Node& node, const OneOr& value);
 
 }  // namespace prs::input

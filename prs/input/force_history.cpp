@@ -79,7 +79,7 @@ class HistoryParser {
 
   void read_row(std::vector<WantedColumn>& columns) {
     const std::size_t width = reader_.fields().size();
-    // A decimal comma between commas would move all fields behind it.
+    // A decimal comma in a file separated by commas would shift all later fields.
     if (width > width_)
       refuse(0, "row", fmt::format("{} fields", width), fmt::format("at most {} as in the heading", width_),
              "write decimal marks as points, or quote texts that hold the separator");
@@ -96,7 +96,7 @@ class HistoryParser {
     const char* const end = field.data() + field.size();
     double value = 0.0;
     const auto [stop, error] = std::from_chars(field.data() + (field.starts_with('+') ? 1 : 0), end, value);
-    if (error == std::errc{} && stop == end && std::abs(value) <= kLargestNumber)  // NaN is not.
+    if (error == std::errc{} && stop == end && std::abs(value) <= kLargestNumber)  // false for NaN.
       return value;
     refuse(c.field, c.name->column, field.empty() ? "nothing" : shown(field), "a finite number, without unit",
            field.find(',') != std::string_view::npos ? "write the decimal mark as a point" : "fix or delete the row");
@@ -144,7 +144,7 @@ void read_columns(std::string_view text, const std::string& name, std::string_vi
                   std::vector<WantedColumn>& columns, const Source& source) {
   for (WantedColumn& c : columns) {
     c.factor = factor_to_si(c, block, source);
-    // A row of a few numbers is rarely shorter.
+    // Rows of a few numbers are rarely shorter.
     c.values->reserve(text.size() / 16);
   }
   HistoryParser(text, name, block, source).parse(columns);
@@ -167,7 +167,7 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name, 
 
 namespace {
 
-/// As messages show it.
+/// Path as messages show it.
 std::filesystem::path shown_path(const std::string& file, const Source& source) {
   return std::filesystem::path(source.name).parent_path() / file;
 }
@@ -176,15 +176,15 @@ std::filesystem::path path_of(const std::string& file, const Source& source) {
   return source.folder.empty() ? shown_path(file, source) : source.folder / file;
 }
 
-/// The path itself where it has no absolute one: of no words.
+/// Absolute path, or the path itself if there is none; error messages are not used.
 std::filesystem::path in_full(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path found = std::filesystem::absolute(path, error);
   return error ? path : found;
 }
 
-/// Whether a file lies, links followed, below the folder of the case; an open one by what was
-/// opened, whatever has its name by now.
+/// Whether a file is, links followed, below the folder of the case; of an open file the opened one counts, not a later
+/// one of that name.
 bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   namespace fs = std::filesystem;
   fs::path folder = source.folder.empty() ? fs::path(source.name).parent_path() : source.folder;
@@ -196,10 +196,10 @@ bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   return !error && std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
 }
 
-/// As the system names an open file.
+/// Name of an open file in the system.
 std::filesystem::path name_of_open(const FileDescriptor& file) { return fmt::format("/proc/self/fd/{}", file.get()); }
 
-/// By `--set`, which is the user's word; a case may come from anywhere.
+/// Whether `--set` names the file: then the user chose it, while a case may come from anyone.
 bool names_file_by_override(std::string_view path, const Source& source) {
   ErrorList errors(source);
   return locate(read_document(source, errors), path).argument >= 0;
@@ -251,7 +251,7 @@ std::string name_in_messages(const std::string& file, const Source& source) {
 }
 
 std::string force_history_text(const HistorySource& history, const Source& source) {
-  // Who knows the hash knows the file.
+  // A case that states the hash does not reveal anything by reading the file.
   std::string text = named_file_text(history.file, "life.history.file", source, history.sha256.has_value());
   if (history.sha256 && sha256(text) != *history.sha256)
     fail_at(source, "life.history.sha256",

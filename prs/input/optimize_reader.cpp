@@ -37,7 +37,7 @@ class VariableReader : VariedInput {
   }
 
  private:
-  /// What the file says of a path, or the default, in the unit of the variable.
+  /// Value of a path in the file, or the default, in the unit of the variable.
   std::optional<Level> base_of(const Factor& variable) const {
     const std::optional<Node> node = base_value(variable.path, fields_);
     if (!node) return std::nullopt;
@@ -109,7 +109,7 @@ class VariableReader : VariedInput {
   std::vector<EchoEntry> fields_;
 };
 
-/// Reads what is wanted of the designs.
+/// Reads objectives and constraints.
 class AimReader {
  public:
   AimReader(const OptimizeItem& item, const Node& root, OptimizeInput& input, ErrorList& errors)
@@ -146,7 +146,7 @@ class AimReader {
     }
   }
 
-  /// Yao et al. 2023, (51), (56) and (60).
+  /// Constraints of Yao et al. 2023, (51), (56) and (60).
   void read_thread_constraints(const Mechanism& mechanism) {
     const std::string at = "optimize.thread_constraints";
     using enum Constraint::Sense;
@@ -242,7 +242,7 @@ class AimReader {
                            several ? "nsga2, nspso or moead" : "sade, pso or cmaes"));
   }
 
-  /// Index of a response, which is added where it is new.
+  /// Index of a response, which is added if it is new.
   std::size_t response(const std::string& path, const std::string& at) {
     std::vector<std::string>& responses = input_.optimization.study.responses;
     const auto found = std::ranges::find(responses, path);

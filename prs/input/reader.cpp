@@ -30,7 +30,7 @@ std::string got(const Node& node) {
   return node.quoted ? fmt::format("\"{}\"", shown(node.text)) : shown(node.text);
 }
 
-/// What a value should have been, and a valid one.
+/// Description of a valid value, and an example.
 struct Wanted {
   std::string what;
   std::string example;
@@ -38,7 +38,7 @@ struct Wanted {
 
 Wanted wanted(const Value& value);
 
-/// The example where it is admissible, else the middle of the bounds.
+/// The example if it is admissible, else the middle of the bounds.
 Wanted wanted(const Quantity& q) {
   std::string example(q.example.empty() ? q.dimension.example : q.example);
   const std::optional<double> usual = parse_quantity(example, q.dimension).value;
@@ -76,7 +76,7 @@ Wanted wanted(const Leaf<Kind, T>& leaf) {
   return wanted(leaf.kind);
 }
 
-/// The alternatives of a choice by their names.
+/// Names of the alternatives of a choice.
 struct ChoiceNames {
   std::vector<std::string_view> words, keys;
 
@@ -97,7 +97,7 @@ Wanted wanted(const ChoiceUnderKey& under) {
   return {choice.what, fmt::format("{{{}: {}}}", under.key, choice.example)};
 }
 
-/// The keys that must stand, as an example.
+/// The required keys, as an example.
 Wanted wanted(const MapValue& map) {
   if (!map.example.empty()) return {"a map", std::string(map.example)};
   std::string keys;
@@ -139,7 +139,7 @@ struct Written {
   std::string path;
   ErrorList& errors;
 
-  /// Says what was wanted, and how to fix the value: by an example unless there is a better hint.
+  /// Adds an error: what was expected, and how to fix the value, by an example if there is no better hint.
   void refuse(const Wanted& w, std::string_view hint = {}) const {
     errors.add(node.place, path, "got {}; expected {}; {}", got(node), w.what,
                hint.empty() ? "write " + example(path, w) : hint);
@@ -156,8 +156,8 @@ std::string join(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
-/// Whether a share was written as a fraction, which is out of bounds in per cent too: a unit does
-/// not fix it.
+/// Whether a share was written as a fraction that is out of bounds in per cent too, so that another unit does not fix
+/// it.
 bool is_wrong_fraction(const std::string& text, const Quantity& q) {
   const std::optional<double> bare = &q.dimension == &unit::share ? parse_number(text) : std::nullopt;
   return bare && *bare <= 1.0 && !q.bounds.contain(*bare);
@@ -278,7 +278,7 @@ void read(const Written& w, const ChoiceValue& choice) {
   w.refuse(wanted(choice), hint);
 }
 
-/// Refuses a map that names two alternatives, or one next to the key that chooses.
+/// Refuses a map that names two alternatives, or one beside the key that chooses.
 bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
   const ChoiceNames names(under.choice);
   const Node* first = nullptr;
@@ -368,12 +368,12 @@ class MapReader {
     return is_of_range && has_values ? "write `values: {from: .., to: .., steps: ..}`" : "";
   }
 
-  /// Hint at the place of a key that is missing its path: `mechanism.rollers` of `rollers`.
+  /// Hint for a missing key that is somewhere else: `mechanism.rollers` if `rollers` is in the wrong map.
   std::string elsewhere_hint(std::string_view key) const {
     constexpr std::size_t kMost = 2;
     const bool is_case = std::ranges::find(known_, "mechanism") != known_.end();
     if (!map_.path.empty() || !is_case) return {};
-    std::vector<std::string> paths;  // The outermost.
+    std::vector<std::string> paths;  // Outermost paths.
     std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
     for (const InputKey& known : input_keys()) {
       const std::ptrdiff_t depth = std::ranges::count(known.path, '.');
@@ -479,8 +479,8 @@ std::vector<Problem> problems_of(const Case& c, Command command) {
 
 namespace {
 
-/// Writes speeds along the axis as speeds of rotation, by the lead; whether there are any. A lead
-/// that is missing or wrong is told of where it is read.
+/// Converts speeds along the axis to speeds of rotation, by the lead; whether there are any. A missing or wrong lead is
+/// reported where the lead is read.
 bool turn_speeds(Node& root) {
   const Node* const written = find_path(root, "mechanism.lead");
   const bool has_lead = written && written->kind == Node::Kind::scalar;
@@ -573,7 +573,7 @@ CaseInput read_case_input(const Source& source, Command command) {
                   file.fit.has_value()};
   input.limits = file.limits;
   input.motor = file.motor;
-  if (command == Command::fit)  // Others need what the case states.
+  if (command == Command::fit)  // Other commands need inputs of the case.
     for (const Problem& p : unmet(input, command)) refuse(root, p.path, p.message, errors);
   errors.throw_if_any();
   input.warnings = unusual_values(input.fields);
@@ -593,7 +593,7 @@ std::vector<Problem> unmet(const CaseInput& input, Command command) {
   const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
   if (designs) return unmet(input, *designs);
   Problems problems;
-  // The file's own design is among those that are suggested; one roller more may not fit.
+  // The file's own design should be among the suggested values; one roller more may not fit.
   const int fewer = std::max(1, input.values.mechanism.rollers - 1), rollers = fewer + 1;
   problems.add_missing(
       std::string(name(command)), fmt::format("what `{}` varies", name(command)),

@@ -15,14 +15,14 @@ struct Conversion {
 
   double operator()(double x) const { return factor * x + offset; }
 };
-/// Nothing where the units do not go together.
+/// Conversion between two units; none if they do not have the same dimension.
 std::optional<Conversion> conversion(std::string_view from, std::string_view to);
 
-/// The units that go together with one, for messages.
+/// Units of the same dimension, for messages.
 std::string units_like(std::string_view unit);
 
-/// A table of readings in a CSV file that a block of the input names: all fields as texts, and where
-/// they stand. Throws InputError, which names file, line and column.
+/// A table of readings in a CSV file that a block of the input names: all fields as texts, with their places. Throws
+/// InputError, which names file, line and column.
 class Readings {
  public:
   /// `at`: path of the block, whose key `file` has the name. Reads the heading.
@@ -32,7 +32,7 @@ class Readings {
   const std::vector<std::string>& names() const { return names_; }  ///< Names of the columns.
   /// Index of a column that the input names under `key`.
   std::size_t column(const std::string& name, const std::string& key) const;
-  /// Reads the next row; false where there is none.
+  /// Reads the next row; false at the end.
   bool next();
   /// Line of the row in the file, from 1.
   std::size_t line() const { return line_; }

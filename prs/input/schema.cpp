@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Texts of a quantity within bounds, as far as its sign tells; of inches also with a fraction.
+/// Pattern of texts of a quantity within bounds, as far as its sign allows; for inches also with a fraction.
 std::string quantity_pattern(const Bounds& bounds, const Dimension& dimension) {
   const bool sign_free = bounds.least < 0.0;
   const bool no_zero = bounds.zero_excluded || !bounds.contain(0.0);
@@ -56,7 +56,7 @@ Json schema_of(const Text&) {
   return {{"type", "string"}, {"minLength", 1}, {"maxLength", kLongestText}, {"pattern", "^[^\\x00-\\x1F]*$"}};
 }
 
-/// Anything but nothing.
+/// Any value except null.
 Json schema_of(const Verbatim&) { return {{"type", {"string", "number", "boolean", "object", "array"}}}; }
 
 template <class Kind, class T>
@@ -77,7 +77,7 @@ Json one_key(std::string_view key, Json content) {
   return object_schema(std::move(properties), Json::array({key}));
 }
 
-/// Puts meaning and condition around what a schema says of its value, and the parts for references.
+/// Adds meaning and condition to the schema of a value, and the same as separate keys for references.
 void describe(Json& json, std::string_view meaning, std::string_view condition = {}) {
   std::string description(meaning);
   if (json.contains("description")) {
@@ -125,8 +125,7 @@ Json schema_of(const ChoiceValue& choice) {
   return {{"oneOf", std::move(all)}};
 }
 
-/// The value of a key that has one where the file lacks it; that of a map is the values of its
-/// keys.
+/// Default of a key, if it has one; for a map the defaults of its keys.
 template <class Kind, class T>
 Json default_of(const Leaf<Kind, T>& leaf) {
   if constexpr (std::is_same_v<T, std::string>)
@@ -255,7 +254,7 @@ std::string text_of(const ChoiceValue& choice) {
                          : std::string(a.name);
   return {};
 }
-/// A word needs the key; a block with a name of its own stands for it.
+/// A word needs the key; a block with a name of its own replaces it.
 std::string text_of(const ChoiceUnderKey& under) {
   const std::string choice = text_of(under.choice);
   return choice.starts_with('{') ? choice : fmt::format("{{{}: {}}}", under.key, choice);
@@ -267,7 +266,7 @@ std::string text_of(const MapValue& map) {
     if (!stands(field)) return;
     const Value value = field.value();
     const auto* const list = std::get_if<ListValue>(&value.as);
-    if (list && list->size() == 0 && list->least > 0) return;  // As if it were not there.
+    if (list && list->size() == 0 && list->least > 0) return;  // Written like an absent value.
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", field.key, input::text_of(value));
   });
   return fmt::format("{{{}}}", text);
@@ -282,7 +281,7 @@ std::string text_of(const ListValue& list) {
 
 std::string text_of(const OneOr& value) { return input::text_of(value.are_several ? value.several() : value.one()); }
 
-/// A bound; 0 needs no unit where it is the same in each.
+/// Text of a bound; 0 has no unit if it is the same in each.
 std::string text_of_bound(double value, const Quantity& q) {
   return value == 0.0 && !zero_depends_on_unit(q.dimension) ? "0" : text_of(value, q);
 }

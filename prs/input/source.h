@@ -11,16 +11,14 @@
 
 namespace prs::input {
 
-/// The input is wrong. `what()` holds one line for each error, each complete in itself:
-/// `FILE:LINE:COLUMN: error: KEY: got VALUE; expected WHAT; how to fix it`, and where a `--set`
-/// argument is to blame, which.
+/// Error in the input. `what()` holds one line for each error, each complete in itself: `FILE:LINE:COLUMN: error: KEY:
+/// got VALUE; expected WHAT; how to fix it`, and the `--set` argument if it is the cause.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Position of something that was written: an offset into the file's text; of a `--set` argument, where it
-/// takes effect.
+/// Position in the input: an offset into the file's text; for a `--set` argument, where it takes effect.
 struct Place {
   std::size_t offset = 0;
   int argument = -1;  ///< Index of the override; -1 for the file.
@@ -28,26 +26,24 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-/// What a person wrote: one file and the `--set` arguments that change it.
+/// Input from a person: one file and the `--set` arguments that change it.
 struct Source {
-  std::string name;  ///< The file, as given.
+  std::string name;  ///< Name of the file, as given.
   std::string text;
   std::vector<std::string> overrides;  ///< `path=value` each.
-  /// Folder of the files that it names; empty: the folder of `name`.
+  /// Folder of the files that the source names; empty: the folder of `name`.
   std::filesystem::path folder = {};
-  /// The texts of the files that it names, by their names. Without a folder no other is read.
+  /// Texts of the files that the source names, by their names. If set, no other file is read.
   std::optional<std::map<std::string, std::string>> files = {};
 };
 
-/// Reads a file of at most 1 MiB. Throws InputError where it is missing, unreadable, too large or
-/// not a regular file.
+/// Reads a file of at most 1 MiB. Throws InputError if it is missing, unreadable, too large or not a regular file.
 Source load_source(const std::string& file, std::vector<std::string> overrides);
 
-/// Reads a source of at most 1 MiB from a stream; `name` stands for the file in messages. Throws
-/// InputError.
+/// Reads a source of at most 1 MiB from a stream; `name`: file name for messages. Throws InputError.
 Source read_source(std::istream& in, std::string name, std::vector<std::string> overrides);
 
-/// Makes a source from a text; `name` stands for the file in messages.
+/// Makes a source from a text; `name`: file name for messages.
 Source source_of_text(std::string name, std::string text, std::vector<std::string> overrides,
                       std::filesystem::path folder = {});
 
@@ -62,7 +58,7 @@ class ErrorList {
     add(place, key, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
   }
 
-  /// An error that may be the consequence of another: reported only where there is no other.
+  /// Adds an error that may be the consequence of another: reported only if there is no other.
   void add_consequence(Place place, std::string_view key, std::string_view message);
 
   [[noreturn]] void fail(Place place, std::string_view key, std::string_view message);
@@ -72,13 +68,13 @@ class ErrorList {
     fail(place, key, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
   }
 
-  /// Adds the errors of another list on the same source, each moved to the place that `move` gives.
-  /// An error that this list already has is left out.
+  /// Adds the errors of another list on the same source, each moved to the place that `move` gives. Errors that this
+  /// list already has are left out.
   void take(const ErrorList& other, const std::function<Place(Place)>& move);
 
   bool empty() const { return errors_.empty() && consequences_.empty(); }
 
-  /// The first error in the order of their places, without its place: `KEY: got VALUE; ..`.
+  /// Text of the first error in the order of places, without its place: `KEY: got VALUE; ..`.
   std::string first() const;
 
   /// `FILE:LINE:COLUMN`, counted from 1, the column in characters.
@@ -94,7 +90,7 @@ class ErrorList {
 
     bool operator==(const Error&) const = default;
   };
-  /// In the order of their places; consequences only where there is nothing else.
+  /// Errors to report, in the order of their places; consequences only if there is nothing else.
   std::vector<const Error*> told() const;
 
   const Source& source_;
@@ -105,7 +101,7 @@ class ErrorList {
 /// `NAME:LINE:COLUMN` of an offset into a text, counted from 1, the column in characters.
 std::string place_in(std::string_view name, std::string_view text, std::size_t offset);
 
-/// A text from the input, shortened and without control characters, as messages show it.
+/// A text from the input as messages show it: shortened and without control characters.
 std::string shown(std::string_view text);
 
 }  // namespace prs::input

@@ -97,7 +97,7 @@ class EnvelopeReader {
     return good ? std::optional(at) : std::nullopt;
   }
 
-  /// A value of a factor; that of a level, where it has no values between them.
+  /// Number of a value of a factor; a level's own number if there are no values between levels.
   std::optional<double> read_number(const std::string& path, const std::string& written, const MapAxis& axis) {
     const Factor& factor = study_.factors[axis.factor];
     const auto level = std::ranges::find(factor.levels, written, &Level::text);

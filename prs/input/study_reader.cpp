@@ -9,7 +9,7 @@
 namespace prs::input {
 namespace {
 
-/// A level as the document has it.
+/// A level as written in the document.
 struct WrittenLevel {
   Node value;
   Level level;
@@ -30,8 +30,7 @@ std::optional<double> profile_curvature(const Node& value) {
   return (radius.key == "convex" ? 1.0 : -1.0) / *r;
 }
 
-/// The number of a text in another unit as a difference, for which the zero of a temperature does
-/// not matter.
+/// Number of a text in another unit as a difference, for which the zero of a temperature does not matter.
 std::optional<double> difference_in(std::string_view text, std::string_view unit) {
   const std::optional<double> value = number_in(text, unit);
   if (!value) return std::nullopt;
@@ -41,7 +40,7 @@ std::optional<double> difference_in(std::string_view text, std::string_view unit
 
 std::string plan_name(Plan plan) { return text_of(value_of(plan, Choice{})); }
 
-/// The keys of a factor of which one says what values it takes.
+/// Keys of a factor of which exactly one gives its values.
 std::vector<std::string_view> ways(const FactorItem& item) {
   std::vector<std::string_view> given;
   if (item.values) given.push_back("values");
@@ -52,19 +51,19 @@ std::vector<std::string_view> ways(const FactorItem& item) {
   return given;
 }
 
-/// Number of values that are listed.
+/// Number of listed values.
 std::size_t count_of(const WrittenValues& values) {
   return values.range ? static_cast<std::size_t>(values.range->steps) : values.list.size();
 }
 
-/// Reads the factors of one study into the document they start from.
+/// Reads the factors of one study into the base document.
 class FactorReader : VariedInput {
  public:
   /// `base`: the document without the study.
   FactorReader(const StudyItem& study, const Source& source, const Node& root, Node& base, ErrorList& errors)
       : VariedInput(source, root, base, errors), study_(study) {}
 
-  /// Adds what is wrong with the keys of a factor, whatever their values.
+  /// Adds errors in the keys of a factor, whatever their values.
   void check_form(std::size_t index) {
     enter(index);
     const std::vector<std::string_view> given = ways(item());
@@ -99,7 +98,7 @@ class FactorReader : VariedInput {
                           "`values: [20 mm, 30 mm]`");
   }
 
-  /// Adds what is wrong with the ends of a range or of an interval, and with companions.
+  /// Adds errors in the ends of a range or of an interval, and in companions.
   void check_ends(std::size_t index) {
     enter(index);
     check_written_ends();
@@ -115,7 +114,7 @@ class FactorReader : VariedInput {
     }
   }
 
-  /// Gives the document the list that a factor draws entry by entry, zeros where the file has none.
+  /// Adds to the document the list that a factor draws entry by entry, zeros if the file has none.
   void add_list(std::size_t index, CaseFile& file) {
     enter(index);
     const Slot slot = find_slot(file, item().path);
@@ -181,7 +180,7 @@ class FactorReader : VariedInput {
     if (item().log_uniform) check_ends("log_uniform", *item().log_uniform, true, "from");
   }
 
-  /// `logarithmic`: the key to blame where the ends have no ratio, or nothing.
+  /// `logarithmic`: the key to name if the ends have no ratio; may be empty.
   void check_ends(std::string_view way, const auto& written, bool ascending, std::string_view logarithmic) {
     const std::optional<Ends> ends = read_ends(fmt::format("{}.", way), written.from, written.to, ascending);
     if (!ends || logarithmic.empty() || ends->from.number * ends->to.number > 0.0) return;
@@ -236,7 +235,7 @@ class FactorReader : VariedInput {
     return levels;
   }
 
-  /// The ends as they are written, points between them with 15 digits.
+  /// Ends as written, points between them with 15 digits.
   static std::vector<WrittenLevel> range_levels(const WrittenRange& range, const Node& values) {
     const NumberAndUnit from = *split_unit(range.from), to = *split_unit(range.to);
     const bool logarithmic = range.spacing == WrittenRange::Spacing::logarithmic;
@@ -256,13 +255,13 @@ class FactorReader : VariedInput {
     return levels;
   }
 
-  /// What the file says of a path, or the default.
+  /// Value of a path in the file, or the default.
   std::optional<WrittenLevel> base_level(const std::string& path, const std::vector<EchoEntry>& fields) const {
     const std::optional<Node> node = base_value(path, fields);
     return node ? std::optional(WrittenLevel{*node, {flow_text(*node), {}}}) : std::nullopt;
   }
 
-  /// Numbers in the unit of the first level, or curvatures of profiles.
+  /// Sets numbers in the unit of the first level, or curvatures of profiles.
   static void place_on_axis(std::vector<WrittenLevel>& levels, std::optional<WrittenLevel>& base, std::string& unit) {
     const std::optional<NumberAndUnit> first = split_unit(levels[0].level.text);
     unit = first ? std::string(first->unit) : "1/mm";
@@ -275,8 +274,8 @@ class FactorReader : VariedInput {
     if (!std::ranges::any_of(levels, has_number)) unit.clear();
   }
 
-  /// Adds what is wrong with a value of a factor where the value stands, and returns whether
-  /// nothing is. Where one value was fine, another number is if its slot takes it.
+  /// Adds errors in a value of a factor at the value's place, and returns whether there are none. After one valid value
+  /// another number is valid if its slot takes it.
   bool check_in_place(const std::string& path, const Node& value, const Slot& slot) {
     const bool number = slot.kind == Slot::Kind::number || slot.kind == Slot::Kind::whole;
     if (one_was_fine_ && number && slot_value(slot, flow_text(value))) return true;
@@ -287,7 +286,7 @@ class FactorReader : VariedInput {
 
   // Distributions -------------------------------------------------------------------------------
 
-  /// Whether a path leads to a number that can lie anywhere in an interval; else says why not.
+  /// Whether a path leads to a number that can lie anywhere in an interval; adds the reason if not.
   bool is_continuous(const std::string& path, const Slot& slot) {
     if (slot.kind == Slot::Kind::number) return true;
     if (slot.kind == Slot::Kind::none && !check_in_place(path, scalar("0", place_of("path")), slot)) return false;
@@ -351,7 +350,7 @@ class FactorReader : VariedInput {
     if (mean) check_in_place(factor.path, *written("normal.mean"), slot);
   }
 
-  /// A deviation from what the file says: a share of it, or a difference in the factor's unit.
+  /// Deviation from the file's value: a share of it, or a difference in the factor's unit.
   struct Deviation {
     double number = 0.0;
     bool is_share = false;

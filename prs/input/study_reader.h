@@ -8,14 +8,13 @@ namespace prs::input {
 /// A study and the document that it starts from, parsed once for all designs.
 struct StudyInput {
   Source source;
-  Node base;  ///< Without the study; with every list whose entries are drawn one by one.
+  Node base;  ///< Document without the study, with every list whose entries are drawn one by one.
   Study study;
 };
 
-/// Reads the study of a source and checks it up front: the base case in full, and that each level
-/// of each factor, and the ends of what it is drawn from, read well in their place. What values
-/// contradict is left to the designs. Throws InputError, which names every error found, that of a
-/// value where it stands.
+/// Reads the study of a source and checks it up front: the base case in full, and that each level of each factor, and
+/// the ends of each distribution, can be read at their places. Contradictions between values are left to the designs.
+/// Throws InputError, which names every error found, errors of values at their places.
 StudyInput read_study_input(const Source& source);
 
 /// `load_cases[3].converged` of `load_cases[push].converged`, where the load cases before `push`
@@ -36,18 +35,17 @@ Case read_design(const StudyInput& input, const std::vector<std::string>& overri
 
 /// An optimization and the document that it starts from.
 struct OptimizeInput {
-  StudyInput start;  ///< For the engine: its study is that of `optimization`.
+  StudyInput start;  ///< Input for the engine: its study is that of `optimization`.
   Optimization optimization;
-  std::vector<std::string> asked_at;  ///< Places in the document at which each response is first asked for.
+  std::vector<std::string> asked_at;  ///< Places in the document at which each response is first named.
 };
 
-/// Reads the optimization of a source and checks it: the file's own design in full, and that each
-/// value of each variable, or its ends, read well in their place. Throws InputError, which names
-/// every error found.
+/// Reads the optimization of a source and checks it: the file's own design in full, and that each value of each
+/// variable, or its ends, can be read at their places. Throws InputError, which names every error found.
 OptimizeInput read_optimize_input(const Source& source);
 
-/// Reads the envelope of a study whose factors are read, and adds what it needs to the responses
-/// that are recorded. Adds an error for each value that does not suit the factors.
+/// Reads the envelope of a study whose factors have been read, and adds the responses that it needs. Adds an error for
+/// each value that does not fit the factors.
 void read_envelope(const EnvelopeItem& item, const Node& root, Study& study, ErrorList& errors);
 
 }  // namespace prs::input

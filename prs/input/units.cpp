@@ -212,7 +212,7 @@ const Dimension* dimension_of(std::string_view symbol) {
   return nullptr;
 }
 
-/// A whole number at the head of a text, which it takes away.
+/// Removes a whole number from the head of a text and returns it.
 std::optional<double> take_whole(std::string_view& text) {
   const std::size_t size = std::min(text.find_first_not_of("0123456789"), text.size());
   double number = 0.0;
@@ -222,14 +222,14 @@ std::optional<double> take_whole(std::string_view& text) {
   return number;
 }
 
-/// The decimal number at the head of a text and what follows it.
+/// Decimal number at the head of a text, and the remaining text.
 struct Head {
   std::optional<double> number;
   bool representable = true;
   std::string_view rest;
 };
 
-/// Without the blanks in front, those of typesetters included.
+/// Text without leading blanks, typographic ones included.
 std::string_view without_blanks(std::string_view text) {
   for (std::size_t length = 1; length > 0; text.remove_prefix(length)) {
     length = 0;
@@ -274,7 +274,7 @@ Head split_number(std::string_view text) {
       digits.starts_with('-') && digits.size() == text.size() ? digits.substr(1) : digits;
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   if (unsigned_digits.empty() || !(is_digit(unsigned_digits[0]) || unsigned_digits[0] == '.'))
-    return {};  // Also keeps out `inf`, `nan` and a second sign.
+    return {};  // Refuses `inf`, `nan` and a second sign too.
   double number = 0.0;
   const char* end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, number);
@@ -284,7 +284,7 @@ Head split_number(std::string_view text) {
   return {number, error == std::errc{}, rest};
 }
 
-/// One to three digits, a point and three zeros: where the point may stand between thousands.
+/// Whether a number is ambiguous: one to three digits, a point and three zeros, where the point may separate thousands.
 bool may_be_thousands(std::string_view number) {
   if (!number.ends_with(".000")) return false;
   number.remove_suffix(4);
@@ -292,7 +292,7 @@ bool may_be_thousands(std::string_view number) {
   return !number.empty() && number.size() <= 3 && number[0] != '0';
 }
 
-/// `nan`, `-inf`, `.Inf`, ..
+/// Whether a text is `nan`, `-inf`, `.Inf`, ..
 bool names_no_number(std::string_view text) {
   std::string word;
   for (char c : text.substr(0, 8))
@@ -300,7 +300,7 @@ bool names_no_number(std::string_view text) {
   return word.starts_with("nan") || word.starts_with("inf");
 }
 
-/// How people write units besides, and what to write in their place.
+/// Other common spellings of a unit, and the replacement.
 struct Slang {
   std::string_view written, unit, remark = {};
 };
@@ -326,7 +326,7 @@ constexpr Slang kSlang[] = {{"inch", "in"},
                             {"kgf", "N", "; 1 kgf is 9.80665 N"},
                             {"kp", "N", "; 1 kp is 9.80665 N"}};
 
-/// Without what spellings of a unit differ in: large letters, `^`, blanks, signs of typesetters.
+/// Symbol without the differences between spellings of a unit: capital letters, `^`, blanks, typographic signs.
 std::string plain_spelling(std::string_view symbol) {
   std::string plain;
   for (std::size_t k = 0; k < symbol.size(); ++k) {
@@ -344,7 +344,7 @@ std::string plain_spelling(std::string_view symbol) {
   return plain;
 }
 
-/// How to write the unit that a text stands for; empty where it is none.
+/// Correct spelling of the unit that a text probably means; empty if it is none.
 std::string unit_meant(std::string_view symbol, const Dimension& dimension) {
   const std::string plain = plain_spelling(symbol.substr(0, 40));
   for (const auto& [written, unit, remark] : kSlang)
@@ -421,7 +421,7 @@ std::string format_quantity(double value, const Dimension& dimension) {
   const Unit& u = *find_unit(dimension.canonical, dimension);
   const double shown = (value - u.offset) / u.multiply * u.divide;
   std::string text;
-  // An offset leaves rounding errors in more digits than a factor.
+  // An offset leaves rounding errors in more digits than a factor does.
   for (int digits = u.offset == 0.0 ? 15 : 6; digits <= 17; ++digits) {
     text = fmt::format("{:.{}g} {}", shown, digits, dimension.canonical);
     if (parse_quantity(text, dimension).value == value) break;

@@ -28,15 +28,14 @@ inline constexpr Bounds positive{.least = 0.0, .least_excluded = true};
 inline constexpr Bounds not_negative{.least = 0.0};
 inline constexpr Bounds not_zero{.zero_excluded = true};
 
-/// Both ends excluded.
+/// Interval without its ends.
 constexpr Bounds between(double least, double greatest) { return {least, greatest, true, true, false}; }
 
-/// Bytes of a line of text.
+/// Longest text of one line, in bytes.
 inline constexpr int kLongestText = 100;
 
-/// One unit and its spellings, the first of which is the one shown: SI = value * multiply / divide
-/// + offset. One of the two factors is 1 wherever the unit is a power of ten, so that conversion
-/// rounds once.
+/// One unit and its spellings, the first of which is shown: SI = value * multiply / divide + offset. One of the two
+/// factors is 1 for units that are powers of ten, so that conversion rounds once.
 struct Unit {
   std::array<std::string_view, 3> spellings;
   double multiply = 1.0;
@@ -50,7 +49,7 @@ struct Dimension {
   std::string_view example;    ///< A typical value: `5 mm`.
   std::string_view canonical;  ///< The unit in which values are printed.
   std::span<const Unit> units;
-  /// Whose values stand for those of this one by the lead of the screw, see `rotation`; or null.
+  /// Dimension whose values are converted to this one by the lead of the screw, see `rotation`; or null.
   const Dimension* by_lead = nullptr;
 };
 
@@ -104,19 +103,18 @@ const Unit* find_unit(std::string_view symbol, const Dimension& dimension);
 /// Whether a unit of any dimension has this spelling.
 bool is_unit(std::string_view symbol);
 
-/// A number in a unit [SI]; nothing where it is beyond the magnitudes that a text may have.
+/// A number in a unit [SI]; none beyond the magnitudes allowed in texts.
 std::optional<double> to_si(double number, const Unit& unit);
 
-/// What a text says of a dimension: the value [SI], or else a hint how to fix the text.
+/// Result of reading a text: the value [SI], or else a hint how to fix the text.
 struct ParsedQuantity {
   std::optional<double> value;
   std::string hint;
 };
 
-/// `45 kN` -> 45000. The whole text must be a decimal number, of inches and feet also one with a
-/// fraction (`1 1/4 in`), and a unit of the dimension; NaN,
-/// infinities and magnitudes beyond 1e-30 .. 1e30 (SI) are refused, and so are forces and stiffnesses of which a point
-/// may stand between thousands: `20.000 N`. Independent of the locale.
+/// `45 kN` -> 45000. The whole text must be a decimal number, for inches and feet also one with a fraction (`1 1/4
+/// in`), and a unit of the dimension; NaN, infinities and magnitudes outside 1e-30 .. 1e30 (SI) are refused, and so are
+/// forces and stiffnesses whose point may separate thousands: `20.000 N`. Independent of the locale.
 ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension);
 
 /// The value [SI] in the canonical unit, with the fewest digits that read back to the same value.
@@ -125,30 +123,29 @@ std::string format_quantity(double value, const Dimension& dimension);
 /// Whether a text is a speed along the axis: `200 mm/s`.
 bool is_travel_speed(std::string_view text);
 
-/// Speed of screw against nut [rad/s] of a speed along the axis v [m/s]. Force x v > 0 is then
-/// power of the screw, right- or left-handed:
-///
-///     omega = 2 pi v/lead
+/// Speed of screw against nut [rad/s] for a speed along the axis v [m/s]. For either hand, force x v > 0 is then power
+/// of the screw:
+///   omega = 2 pi v/lead
 double rotation(double travel_speed, double lead);
 
-/// A whole text that is one finite decimal number, without unit.
+/// Number of a text that is one finite decimal number, without unit.
 std::optional<double> parse_number(std::string_view text);
 
-/// A text that starts with a finite decimal number: `5 mm` -> 5 and `mm`.
+/// Number and unit of a text that starts with a finite decimal number: `5 mm` -> 5 and `mm`.
 struct NumberAndUnit {
   double number = 0.0;
-  std::string_view unit;  ///< What follows; empty for a bare number.
+  std::string_view unit;  ///< Remaining text; empty for a bare number.
 };
 std::optional<NumberAndUnit> split_unit(std::string_view text);
 
-/// The number of a text such as `500 N` in another unit of its dimension: 0.5 in `kN`. Nothing
-/// where the units do not go together; bare numbers go with the unit ``.
+/// Number of a text such as `500 N` in another unit of its dimension: 0.5 in `kN`. None if the units differ in
+/// dimension; bare numbers go with the unit ``.
 std::optional<double> number_in(std::string_view text, std::string_view unit);
 
-/// The shown units of a dimension, separated by commas; those that go by the lead at the end.
+/// Shown units of a dimension, separated by commas; those that depend on the lead at the end.
 std::string unit_list(const Dimension& dimension);
 
-/// Regular expression (ECMA-262 and Python) of the texts that end in a unit of the dimension.
+/// Regular expression (ECMA-262 and Python) of texts that end in a unit of the dimension.
 std::string unit_pattern(const Dimension& dimension);
 
 }  // namespace prs::input

@@ -105,7 +105,7 @@ std::optional<VariedInput::Ends> VariedInput::read_ends(std::string_view prefix,
 
 namespace {
 
-/// The first step of a path, a key or an index, and what follows.
+/// The first step of a path, a key or an index, and the rest.
 struct Path {
   std::string_view text;
 
@@ -210,7 +210,7 @@ class SlotFinder {
       case Form::ends:
         if (key == "near" || key == "far" || value.are_several) return find(several);
         return path_.ends() ? find(one) : find_all(several);
-      case Form::range:  // The number of steps decides on how many load cases there are.
+      case Form::range:  // The number of steps determines the number of load cases.
         if (path_.ends()) return find_all(several);
         if (key == "steps")
           slot_.kind = Slot::Kind::other;
@@ -218,7 +218,7 @@ class SlotFinder {
           find(several);
     }
   }
-  /// One value that holds for all of them.
+  /// Finds one value that applies to all of several.
   void find_all(const Value& values) const {
     std::get<MapValue>(values.as).for_each([this](const Field& field) {
       if (field.key != "steps") find(field.value());

@@ -6,11 +6,11 @@ namespace prs::input {
 
 Node scalar(std::string text, Place place);
 
-/// Names of entries in the path of a value become their places, see `with_indices`; the path as it
-/// was written becomes the label where there is none.
+/// Replaces names of entries in a path by their indices, see `with_indices`; the path as written becomes the label if
+/// there is none.
 void take_indices(const Node& root, std::string& path, std::optional<std::string>& label);
 
-/// A path that a study or an optimization sets, and where it stands.
+/// A path that a study or an optimization sets, and its place.
 struct SetPath {
   std::string path;
   std::string at;
@@ -31,11 +31,11 @@ std::vector<SetPath> set_paths(const Items& items, std::string_view list) {
   return paths;
 }
 
-/// Whether a path leads into what another one leads to.
+/// Whether a path leads to the same value as another one or into it.
 bool is_part_of(std::string_view path, std::string_view whole);
 
-/// Adds an error where two paths set the same value in one design. `noun`: a factor or a variable.
-/// `one_at_a_time`: each factor and its companions vary alone.
+/// Adds an error if two paths set the same value in one design. `noun`: a factor or a variable. `one_at_a_time`: each
+/// factor and its companions vary alone.
 void check_paths(const std::vector<SetPath>& paths, std::string_view noun, bool one_at_a_time, const Node& root,
                  ErrorList& errors);
 
@@ -52,18 +52,17 @@ class VariedInput {
 
   void refuse_at(std::string_view key, std::string_view message) const;
 
-  /// Whether a path, written under the key, leads to a value of the case itself; else says so.
+  /// Whether a path, written under the key, leads to a value of the case itself; adds an error if not.
   bool check_outside(std::string_view key, std::string_view path) const;
 
-  /// What the file says of a path, or the default.
+  /// Value of a path in the file, or the default.
   std::optional<Node> base_value(std::string_view path, const std::vector<EchoEntry>& fields) const;
 
-  /// Adds what is wrong with a value of a path where the value stands, and returns whether nothing
-  /// is.
+  /// Adds errors in a value of a path at the value's place, and returns whether there are none.
   bool check_in_place(const std::string& path, const Node& value) const;
 
-  /// Two numbers in one unit, written under the keys `from` and `to` behind the prefix; else says
-  /// what is wrong. The views are of the texts.
+  /// Two numbers in one unit, written under the keys `from` and `to` after the prefix; adds an error if they are not.
+  /// The views refer to the texts.
   std::optional<Ends> read_ends(std::string_view prefix, std::string_view from, std::string_view to,
                                 bool ascending) const;
 
@@ -71,16 +70,15 @@ class VariedInput {
   const Node& root_;
   Node& base_;
   ErrorList& errors_;
-  std::string path_;  ///< Path in the document of what is being read.
+  std::string path_;  ///< Path of the current item in the document.
 };
 
 struct CaseFile;
 
-/// Place in a case file of the value at a path of the input: what a number must be, and where
-/// it goes.
+/// Place in a case file of the value at a path of the input: the kind of number, and its member.
 struct Slot {
   enum class Kind {
-    none,     ///< No value of the input.
+    none,     ///< Not a value of the input.
     other,    ///< A word, a text or a map.
     number,   ///< A quantity or a bare number.
     whole,    ///< A whole number.
@@ -88,23 +86,23 @@ struct Slot {
   };
 
   Kind kind = Kind::none;
-  const Dimension* dimension = nullptr;  ///< None of bare and whole numbers.
+  const Dimension* dimension = nullptr;  ///< Dimension; null for bare and whole numbers.
   Bounds bounds;                         ///< SI
-  std::vector<double*> numbers;          ///< Several where one value holds for several parts.
+  std::vector<double*> numbers;          ///< Members; several if one value applies to several parts.
   int* whole = nullptr;
   std::vector<double>* list = nullptr;
 };
 
-/// The slot of a path such as `mechanism.pitch_diameter.screw`, in a file that has been read with a
-/// value there. Optional values and blocks on the way that the file lacks are created. The number
-/// of steps of a range counts as `other`, since load cases come and go with it.
+/// The slot of a path such as `mechanism.pitch_diameter.screw`, in a file that has been read with a value there.
+/// Optional values and blocks on the way that the file lacks are created. The number of steps of a range counts as
+/// `other`, since it changes the number of load cases.
 Slot find_slot(CaseFile& file, std::string_view path);
 
-/// The value [SI] as the reader of the input takes it for the text `NUMBER UNIT`, without unit for
-/// a bare number; nothing where it refuses the text.
+/// The value [SI] as the reader of the input takes it from the text `NUMBER UNIT`, without unit for a bare number; none
+/// if it refuses the text.
 std::optional<double> slot_value(const Slot& slot, double number, const Unit* unit);
 
-/// The value [SI] of a text for this slot; nothing where the reader refuses it.
+/// The value [SI] of a text for this slot; none if the reader refuses it.
 std::optional<double> slot_value(const Slot& slot, std::string_view text);
 
 /// Sets a slot to a value as `slot_value` gives it.

@@ -11,14 +11,15 @@
 namespace prs {
 namespace {
 
-/// Loads below this share of the largest have its shares: a million of them weigh 1e-9 of it.
+/// Load, as a share of the largest, below which shares are taken as constant: a million such loads contribute 1e-9 of
+/// its damage.
 constexpr double kLeastLoad = 1e-5;
 
-/// Forces of one sense up to this number are solved one by one where an equilibrium takes long or
-/// has no smooth curve.
+/// Largest number of forces of one sense that are solved one by one if an equilibrium takes long or has no smooth
+/// curve.
 constexpr std::size_t kFewForces = 40;
 
-/// Tolerances of curves over more than `kFewForces` forces: with preload, and of all rollers.
+/// Tolerances of curves over more than `kFewForces` forces: with preload, and for all rollers.
 constexpr double kCurveTolerance = 1e-5, kOrbitTolerance = 1e-4;
 
 void find_capacity(const LifeModel& p, LifeResult& r) {
@@ -82,14 +83,14 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
   r.revolution_rate = r.duration && *r.duration > 0.0 ? std::optional(r.revolutions / *r.duration) : r.moving_rate;
 }
 
-/// sum (load)^3 n of each contact, on equilibria alone: an interpolated cube is a sum over nodes,
-/// so that the weights of all loads are first gathered there.
+/// sum (load)^3 n of each contact, from equilibria alone: an interpolated cube is a sum over nodes, so that the weights
+/// of all loads are first collected there.
 class CubicSums {
  public:
   CubicSums(const ShareCurve& curve, std::size_t contacts)
       : curve_(curve), weights_(curve.node_count(), 0.0), sums_(contacts, 0.0) {}
 
-  /// `weight`: of the cubes of the curve's values at a force [N].
+  /// Adds a weight of the cubes of the curve's values at a force [N].
   void add(double force, double weight) {
     const ShareCurve::Place place = curve_.place(force);
     for (std::size_t j = 0; j < ShareCurve::kNodes; ++j) weights_[place.first + j] += weight * place.weights[j];
@@ -111,7 +112,7 @@ class CubicSums {
   std::vector<double> weights_, sums_;
 };
 
-/// Magnitude of a force along a direction [N]; 0 where it has the other sense.
+/// Magnitude of a force along a direction [N]; 0 for the other sense.
 double along(double axial_force, Direction d) {
   return std::max(0.0, d == Direction::tension ? axial_force : -axial_force);
 }
@@ -120,30 +121,30 @@ bool has_pressures(const Contacts& contacts) {
   return contacts.interfaces.screw.has_hertz() && contacts.interfaces.nut.has_hertz();
 }
 
-/// What the spectrum has of one sense of the force, and the loads that follow.
+/// Part of the spectrum with one sense of the force, and its results.
 struct Sense {
-  double revolutions = 0.0;            ///< Under a force other than 0.
+  double revolutions = 0.0;            ///< Revolutions under a force other than 0.
   double largest = 0.0;                ///< [N]
   double running = 0.0;                ///< Largest force under which the screw turns [N].
   double damage = 0.0;                 ///< sum F^3 n
   std::vector<double> forces;          ///< Magnitudes [N].
   std::vector<double> turns;           ///< Revolutions under each.
-  std::vector<double> driven_by_load;  ///< Those of them that the load drives.
+  std::vector<double> driven_by_load;  ///< Revolutions driven by the load.
 
   ContactSolver solver;
-  std::optional<ContactLoads> at_largest, at_running;  ///< Loads at rest under these forces, once solved.
-  /// Largest loads of each thread over all forces: at rest, and of the screw that turns.
+  std::optional<ContactLoads> at_largest, at_running;  ///< Loads at rest under these forces, if solved.
+  /// Largest loads of each thread over all forces: at rest, and of the turning screw.
   std::optional<PerDirection<LargestLoads>> resting, turning;
-  std::optional<ShareCurve> curve;  ///< At rest.
-  /// sum (load)^3 n of each rated contact, as `LifeModel::rated` has it, and the same at rest.
+  std::optional<ShareCurve> curve;  ///< Curve at rest.
+  /// sum (load)^3 n of each rated contact, as in `LifeModel::rated`, and the same at rest.
   std::vector<double> cubes, cubes_at_rest;
-  int solves = 0;      ///< Equilibria of all curves.
-  double error = 0.0;  ///< Largest of them.
-  /// Largest load of a thread over that at rest, under the force where friction moves it most.
+  int solves = 0;      ///< Number of equilibria of all curves.
+  double error = 0.0;  ///< Largest error of all curves.
+  /// Largest load of a thread over that at rest, under the force where friction changes it most.
   PerInterface<OverStatic> over_static;
 
   bool exists() const { return !forces.empty(); }
-  /// Keeps the loads under a force that is asked for again.
+  /// Loads under a force, kept if it is requested again.
   std::optional<ContactLoads> solve(double force) {
     const auto is = [&](double kept) { return std::abs(force - kept) <= 1e-12 * kept; };
     std::optional<ContactLoads> loads = solver(force);
@@ -181,10 +182,10 @@ PerDirection<Sense> senses_of(const LifeModel& p, const LifeResult& r) {
   return senses;
 }
 
-/// The part of the damage that the forces between two have, or that the cube of the larger force
-/// has where that is more: the range of a cycle counts however far the screw turns.
+/// Share of the damage between two forces, or that of the cube of the larger force if larger: the range of a cycle
+/// counts however little the screw turns.
 std::function<double(double, double)> damage_between(const Sense& s) {
-  std::map<double, double> up_to;  // Damage by force, summed.
+  std::map<double, double> up_to;  // Cumulative damage by force.
   for (std::size_t k = 0; k < s.forces.size(); ++k) up_to[s.forces[k]] += std::pow(s.forces[k], 3) * s.turns[k];
   double sum = 0.0;
   for (auto& [force, damage] : up_to) sum = damage += sum;
@@ -195,7 +196,7 @@ std::function<double(double, double)> damage_between(const Sense& s) {
   };
 }
 
-/// The curve of a sense, by few equilibria.
+/// Curve of a sense, with few equilibria.
 ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::Solve& solve) {
   const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
   if (!p.full() && !p.preloaded()) return ShareCurve(solve, least, s.largest);
@@ -206,9 +207,9 @@ ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::
   return ShareCurve(solve, least, s.largest, {kOrbitTolerance, damage_between(s)});
 }
 
-/// The same of a running screw under the forces at which it turns, without interpolation where they
-/// are fewer than the nodes of a panel. Under small forces, where the centrifugal one opens threads, loads
-/// are only as accurate as their share of the damage requires.
+/// Curve of a running screw under the forces at which it turns, without interpolation if they are fewer than the nodes
+/// of a panel. Under small forces, where the centrifugal one opens threads, loads are only as accurate as their share
+/// of the damage requires.
 ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<double>& turns,
                          const ShareCurve::Solve& solve) {
   std::set<double> forces;
@@ -220,7 +221,7 @@ ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<d
   return ShareCurve(solve, least, s.largest, {ShareCurve::kTolerance, damage_between(s)});
 }
 
-/// Of each thread.
+/// Keeps the larger load of each thread.
 void keep_larger(const std::vector<double>& loads, std::vector<double>& kept) {
   kept.resize(std::max(kept.size(), loads.size()), 0.0);
   for (std::size_t k = 0; k < loads.size(); ++k) kept[k] = std::max(kept[k], loads[k]);
@@ -239,11 +240,11 @@ double largest_normal_load(const LifeModel& p, Interface i, const LargestLoads& 
   return largest_of(loads[i]) / std::cos(p.laws[i].normal_angle);
 }
 
-/// Largest load of a thread over its limit, under a force; none where there is no equilibrium.
+/// Largest load of a thread over its limit, under a force; none without equilibrium.
 using Overload = std::function<std::optional<double>(double force)>;
 
-/// Force at which it is 1: the secant on logarithms, in which that load is nearly a straight line
-/// over the force.
+/// Force at which the overload is 1: secant method on logarithms, in which that load is nearly a straight line over the
+/// force.
 std::optional<double> by_secant(const Overload& overload, double force, double tolerance) {
   constexpr double kLargestStep = 2.0;
   double x = std::log(force), step = 0.0, last = 0.0;
@@ -260,7 +261,7 @@ std::optional<double> by_secant(const Overload& overload, double force, double t
   return std::nullopt;
 }
 
-/// Between a force that does not reach the limit and one that does.
+/// Root between a force that does not reach the limit and one that does.
 std::optional<double> between(const Overload& overload, double below, double above, double tolerance) {
   bool failed = false;
   const auto over = [&](double force) {
@@ -274,9 +275,9 @@ std::optional<double> between(const Overload& overload, double below, double abo
   return failed ? std::nullopt : std::optional(0.5 * (from + to));
 }
 
-/// The smallest force at which a thread of an interface reaches its normal load: 0 where one does
-/// without any, which preload and what acts across the axis may do. Both can also hide the limit from
-/// the secant, and put another force at which it is reached below the one that it finds.
+/// Smallest force at which a thread of an interface reaches its normal load: 0 if one does without external force, as
+/// preload and lateral loads may cause. Both can also hide the limit from the secant method, and cause a smaller force
+/// at which it is reached.
 std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, double force,
                                const PerInterface<std::optional<double>>& limit) {
   if (!limit.screw && !limit.nut) return std::nullopt;
@@ -304,7 +305,7 @@ std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, d
     if (*used >= 1.0) break;
   }
   if (p.preloaded()) return between(overload, 0.0, above, tolerance);
-  // Loads that act across may be worse under smaller forces: in steps down to what counts for none.
+  // Lateral loads may be worse under smaller forces: factor of the steps, and share that counts as no force.
   constexpr double kStep = 0.84, kNoForce = 1e-3;
   const double least = kNoForce * above;
   std::optional<double> below;
@@ -322,7 +323,7 @@ std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, d
   return above == found ? found : between(overload, *below, above, tolerance);
 }
 
-/// `turns`: of the forces of a sense.
+/// `turns`: revolutions for the forces of a sense.
 std::vector<double> cubes_of(const LifeModel& p, const Sense& s, const ShareCurve& curve,
                              const std::vector<double>& turns) {
   CubicSums sums(curve, p.rated().count());
@@ -333,8 +334,7 @@ std::vector<double> cubes_of(const LifeModel& p, const Sense& s, const ShareCurv
   return std::move(sums).take();
 }
 
-/// Compares running loads with those at rest, at the forces under which a sense turns or some of
-/// many.
+/// Compares running loads with those at rest, at the forces under which a sense turns, or at some of many.
 void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCurve& running,
                        const std::vector<double>& turns) {
   const RatedContacts rated = p.rated();
@@ -369,7 +369,7 @@ ShareCurve::Solve keeping_larger(ContactSolver solve, double greatest,
   };
 }
 
-/// Curves of a sense and the damage of its loads; where they failed, the force.
+/// Computes curves of a sense and the damage of its loads; returns the force if they failed.
 std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
   const auto found = [&](const ShareCurve& curve) {
     s.solves += curve.solves();
@@ -447,7 +447,7 @@ void require_thrust(const LifeModel& p, Direction d) {
                               name(d), name(d)));
 }
 
-/// The contacts of a flank among all that are rated.
+/// Contacts of a flank among all rated ones.
 std::span<const double> of_flank(const LifeModel& p, std::span<const double> all, Direction d) {
   return all.subspan(p.rated().flank(d), p.rated().of_flank());
 }
@@ -487,8 +487,8 @@ std::vector<double> scaled(std::span<const double> values, double factor) {
   return result;
 }
 
-/// Lives of contacts that share a part of the failures; `loads` of the mechanism at which all
-/// carried as much [N].
+/// Lives of contacts that share a part of the failures; `loads`: loads of the mechanism at which all would carry as
+/// much [N].
 std::vector<double> lives_of(const LifeResult& r, std::span<const double> loads, double failure_share) {
   std::vector<double> lives;
   for (const double load : loads)
@@ -585,7 +585,7 @@ void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResul
   r.flanks[d] = std::move(flank);
 }
 
-/// Equilibria of both senses, then the lives of the flanks that carry.
+/// Solves the equilibria of both senses, then computes the lives of the loaded flanks.
 void find_lives(const LifeModel& p, LifeResult& r) {
   PerDirection<Sense> senses = senses_of(p, r);
   const PerDirection<bool> wanted{senses.tension.exists(), senses.compression.exists()};

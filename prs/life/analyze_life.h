@@ -7,40 +7,39 @@
 
 namespace prs {
 
-/// Threads of the rollers of a full mechanism at one interface, roller after roller; zero load
-/// where one is missing. SI units.
+/// Threads of the rollers of a full mechanism at one interface, roller after roller; zero load for missing ones. SI
+/// units.
 struct RollerLives {
   int threads_per_roller = 0;
-  std::vector<double> equivalent_load;  ///< Axial, cubic mean over all revolutions [N].
+  std::vector<double> equivalent_load;  ///< Axial load, cubic mean over all revolutions [N].
   std::vector<double> life;             ///< L10 of the thread [revolutions].
-  std::vector<double> rated_life;       ///< At the reliability that is asked for [revolutions].
+  std::vector<double> rated_life;       ///< Life at the requested reliability [revolutions].
 };
 
-/// Threads of one interface over the whole spectrum, thread 1 first: those of one roller and of
-/// what it meets. Of a full mechanism those of screw or nut, which meet all rollers in turn. SI
-/// units.
+/// Threads of one interface over the whole spectrum, thread 1 first: of one roller and its counterpart. For a full
+/// mechanism threads of screw or nut, which meet all rollers in turn. SI units.
 struct ThreadLives {
-  std::vector<double> equivalent_load;  ///< Axial, cubic mean over all revolutions [N].
+  std::vector<double> equivalent_load;  ///< Axial load, cubic mean over all revolutions [N].
   std::vector<double> life;             ///< L10 of the thread on all rollers [revolutions].
-  std::vector<double> rated_life;       ///< At the reliability that is asked for [revolutions].
-  /// N cos(psi), the largest of all forces: at rest, and of a running screw where life is of its loads [N].
+  std::vector<double> rated_life;       ///< Life at the requested reliability [revolutions].
+  /// Largest N cos(psi) of all forces: at rest, and of a running screw if its loads determine life [N].
   std::vector<double> largest_load;
   /// Equivalent range of the axial load over the cycles of the history [N]; empty without history.
   std::vector<double> equivalent_range;
   std::optional<RollerLives> rollers;  ///< Lives at the rollers; full mechanism only.
 };
 
-/// One sense of the load, whose flanks the other sense does not touch unless they are preloaded.
+/// One sense of the load, whose flanks the other sense does not load unless they are preloaded.
 struct FlankLife {
-  double revolutions = 0.0;    ///< Under this sense of the load.
+  double revolutions = 0.0;    ///< Revolutions under this sense of the load.
   double largest_force = 0.0;  ///< Largest force of this sense [N].
-  /// Cubic mean over the revolutions of *both* senses [N]; of what the flanks carry at the screw,
-  /// which differs from the force with preload alone.
+  /// Cubic mean over the revolutions of *both* senses [N], of the load that the flanks carry at the screw, which
+  /// differs from the force only with preload.
   double mean_load = 0.0;
-  double life = 0.0;          ///< L10 with the real thread loads [revolutions of both senses].
-  double life_at_rest = 0.0;  ///< The same with those of a screw at rest.
+  double life = 0.0;          ///< L10 with the solved thread loads [revolutions of both senses].
+  double life_at_rest = 0.0;  ///< L10 with those of a screw at rest.
   PerInterface<ThreadLives> threads;
-  PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest loads of threads [Pa].
+  PerInterface<std::optional<double>> peak_pressure;  ///< Peak pressure under the largest loads of threads [Pa].
   /// Peak pressure under the largest loads of threads while the screw turns [Pa].
   PerInterface<std::optional<double>> running_peak_pressure;
   /// Force at which the most loaded thread reaches `kStaticPressureLimit` [N].
@@ -51,14 +50,14 @@ struct FlankLife {
   std::optional<double> flank_edge_margin() const {
     return flank_edge_load && largest_force > 0.0 ? std::optional(*flank_edge_load / largest_force) : std::nullopt;
   }
-  /// Limit that static safety refers to, see prs/life/static_limits.h.
+  /// Limit of static safety, see prs/life/static_limits.h.
   std::optional<StaticRating> static_rating;
   /// The rating over the largest force.
   std::optional<double> static_safety() const {
     return static_rating && largest_force > 0.0 ? std::optional(static_rating->force / largest_force) : std::nullopt;
   }
-  int solves = 0;                    ///< Equilibria solved for this sense.
-  double interpolation_error = 0.0;  ///< Relative error of thread loads between them.
+  int solves = 0;                    ///< Number of equilibria solved for this sense.
+  double interpolation_error = 0.0;  ///< Relative error of thread loads interpolated between them.
 };
 
 /// Load cycles counted in a history.
@@ -68,18 +67,18 @@ struct LoadCycles {
   double equivalent_range = 0.0;  ///< [N]
 };
 
-/// The thread that fails first, of those that turn under load.
+/// Thread that fails first, of those that turn under load.
 struct WeakestThread {
   Direction direction = Direction::tension;
   Interface interface = Interface::screw;
   std::size_t thread = 0;
-  std::optional<Part> part;           ///< Part whose thread it is; full mechanism only.
-  std::optional<std::size_t> roller;  ///< Roller whose thread it is; only for a roller of a full mechanism.
+  std::optional<Part> part;           ///< Part of the thread; full mechanism only.
+  std::optional<std::size_t> roller;  ///< Index of the roller, if the thread belongs to a roller of a full mechanism.
   double equivalent_load = 0.0;
   double life = 0.0;
 };
 
-/// What film and dirt do to the life, by ISO 281:2007, under the mean load at the mean speed.
+/// Effect of film and contamination on the life, by ISO 281:2007, under the mean load at the mean speed.
 struct ModifiedLife {
   double film_ratio = 0.0;       ///< Lambda, the smallest of all threads.
   double viscosity_ratio = 0.0;  ///< kappa = Lambda^1.3.
@@ -87,47 +86,48 @@ struct ModifiedLife {
   double factor = 0.0;           ///< a_ISO
 };
 
-/// Everything that `analyze_life` computes. SI units; lives in revolutions.
+/// All results of `analyze_life`. SI units; lives in revolutions.
 struct LifeResult {
   Life life;
   Contacts contacts;
   ModelOptions model;
-  ModelOptions::Loads loads = ModelOptions::Loads::at_rest;  ///< Those that fatigue stands on.
-  std::optional<LemorCapacity> lemor;                        ///< Absent where the case states the capacity.
+  ModelOptions::Loads loads = ModelOptions::Loads::at_rest;  ///< Loads that determine fatigue.
+  std::optional<LemorCapacity> lemor;                        ///< Absent if the case states the capacity.
   double dynamic_capacity = 0.0;
   Interval dynamic_capacity_range;
   PerInterface<double> failure_shares;
-  /// The rollers' part of the failures of each interface; full mechanism only.
+  /// Share of the rollers in the failures of each interface; full mechanism only.
   std::optional<PerInterface<double>> roller_shares;
   double reliability_factor = 1.0;  ///< a1
   double element_ratio = 0.0;       ///< gamma = d_r cos(alpha)/(2 c)
 
   std::optional<PerPart<double>> temperature;    ///< Temperatures of the parts, by `heat` [K].
-  std::optional<HeatStatus> temperature_status;  ///< How the search for them ended.
+  std::optional<HeatStatus> temperature_status;  ///< Outcome of the search for them.
 
   std::vector<LoadStep> steps;  ///< Steps of the history or the spectrum.
   std::optional<LoadHistory> history;
-  double revolutions = 0.0;               ///< Sum over all steps; 1 where they are shares.
-  bool revolutions_known = true;          ///< False where the spectrum states shares.
-  std::optional<double> duration;         ///< Duration of one pass, where the clock is known [s].
-  std::optional<double> revolution_rate;  ///< Mean, to turn lives into hours: by the clock, else in motion [1/s].
-  std::optional<double> moving_rate;      ///< At the operation's speed [1/s].
-  double mean_load = 0.0;                 ///< Cubic mean over all loads [N].
-  double largest_force = 0.0;             ///< [N]
+  double revolutions = 0.0;        ///< Sum over all steps; 1 if they are shares.
+  bool revolutions_known = true;   ///< false if the spectrum states shares.
+  std::optional<double> duration;  ///< Duration of one pass, if the clock time is known [s].
+  /// Mean rate that converts lives to hours: by the clock, else in motion [1/s].
+  std::optional<double> revolution_rate;
+  std::optional<double> moving_rate;  ///< Rate at the operation's speed [1/s].
+  double mean_load = 0.0;             ///< Cubic mean over all loads [N].
+  double largest_force = 0.0;         ///< [N]
 
   double catalogue_life = 0.0;         ///< (C_a/F_m)^3, one flank, equal shares.
-  double equal_shares_life = 0.0;      ///< Both flanks on their own, equal shares.
-  double system_life = 0.0;            ///< Both flanks on their own, real thread loads.
-  std::optional<double> life_at_rest;  ///< The same at rest, where those are of a running screw.
+  double equal_shares_life = 0.0;      ///< Life of both flanks separately, equal shares.
+  double system_life = 0.0;            ///< Life of both flanks separately, solved thread loads.
+  std::optional<double> life_at_rest;  ///< Life with thread loads at rest, if the others are those of a running screw.
   std::optional<WeakestThread> weakest;
   PerDirection<std::optional<FlankLife>> flanks;
   /// Forces at which equal thread loads reach `kStaticPressureLimit` and the end of a flank [N].
   std::optional<double> equal_shares_static_capacity, equal_shares_flank_edge_load;
   std::optional<LoadCycles> cycles;
 
-  std::optional<ModifiedLife> modified;  ///< Life with film and dirt, where `life.contamination` is stated.
+  std::optional<ModifiedLife> modified;  ///< Life with film and contamination, if `life.contamination` is stated.
 
-  std::optional<std::string> failure;  ///< Why there are no lives: a load did not converge.
+  std::optional<std::string> failure;  ///< Reason why there are no lives: a load did not converge.
   std::vector<Warning> warnings;
 
   bool converged() const { return !failure; }
@@ -141,25 +141,23 @@ struct LifeResult {
   const FlankLife* statically_weakest() const;
 };
 
-/// Absent where the geometry gives no Hertz contact, or no equilibrium is found.
+/// Static limits; absent if the geometry gives no Hertz contact, or no equilibrium is found.
 struct StaticForces {
   std::optional<StaticRating> rating;
   std::optional<double> flank_edge_load;  ///< See `FlankLife`.
 };
 
-/// Static limits under forces of one sense, with the thread loads that are solved at the limit:
-/// what `analyze_life` has of a spectrum with such forces, with the preload of the conditions. Not of
-/// a full mechanism, whose load cases have side loads of their own. `force`: where the search begins [N].
+/// Static limits under forces of one sense, with the thread loads solved at the limit, as `analyze_life` computes them
+/// for a spectrum of such forces, with the preload of the conditions. Not for a full mechanism, whose load cases have
+/// side loads of their own. `force`: start of the search [N].
 StaticForces solved_static_forces(const Conditions& c, const Contacts& contacts, Direction direction, double position,
                                   double force);
 
-/// Contacts -> capacity -> load distribution over the loads of the spectrum -> lives. Reads
-/// nothing, prints nothing. The case must have passed `check_case` and the requirements of `life`;
-/// `history` is given where the case has one. Throws CaseError where Lemor's factor is not known
-/// for the geometry, the loads need a thrust section that is not given, the screw never turns or
-/// never carries, or the geometry gives no contact.
-/// `oils`: in place of the lubricant at the temperature of the file, for running loads. With a
-/// block `heat` see prs/heat/analyze_heat.h.
+/// Contacts -> capacity -> load distribution over the loads of the spectrum -> lives. Reads and prints nothing. The
+/// case must have passed `check_case` and the requirements of `life`; `history` is given if the case has one. Throws
+/// CaseError if Lemor's factor is not known for the geometry, the loads need a thrust section that is not given, the
+/// screw never turns or never carries, or the geometry gives no contact. `oils`: replace the lubricant at the
+/// temperature of the file, for running loads. With a block `heat` see prs/heat/analyze_heat.h.
 LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history = {},
                         const std::optional<Oils>& oils = {});
 inline LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {}) {

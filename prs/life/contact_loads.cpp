@@ -9,7 +9,7 @@ namespace prs {
 namespace {
 
 constexpr std::size_t kNodes = ShareCurve::kNodes;
-/// Panels get no narrower: a kink costs that many halvings.
+/// Number of halvings down to the narrowest panels: a kink costs that many.
 constexpr int kMostHalvings = 22;
 /// Places at which a panel is checked, between its nodes on [-1, 1].
 constexpr double kChecks[] = {-0.96, -0.55, 0.19, 0.75};
@@ -44,8 +44,7 @@ std::array<double, kNodes> lagrange(double t) {
 
 double cube(double x) { return x * x * x; }
 
-/// Error of the interpolated shares and of their cubes against those solved, relative to the
-/// largest.
+/// Error of the interpolated shares and of their cubes against the solved ones, relative to the largest.
 double interpolation_error(std::span<const std::vector<double>> nodes, double t, std::span<const double> solved) {
   const std::array<double, kNodes> weights = lagrange(t);
   double largest = 0.0, of_shares = 0.0, of_cubes = 0.0;
@@ -148,7 +147,7 @@ void ShareCurve::shares_at(double force, std::span<double> shares) const {
 
 namespace {
 
-/// Every thread carries its share of the force on one flank.
+/// Solver in which every thread carries its equal share of the force on one flank.
 ContactSolver equal_solver(const LifeModel& model, Direction d) {
   return [&model, d](double force) {
     const std::size_t n = model.rated().threads;
@@ -176,7 +175,7 @@ ContactSolver sector_solver(const LifeModel& model, Direction d) {
   };
 }
 
-/// Both flanks under a force of one sense.
+/// Solver of both flanks under a force of one sense.
 ContactSolver preload_solver(const LifeModel& model, Direction d, std::shared_ptr<PreloadedMechanism> mechanism) {
   return [&model, d, mechanism = std::move(mechanism)](double force) {
     const PreloadPoint point = mechanism->solve(d == Direction::tension ? force : -force);
@@ -201,7 +200,7 @@ ContactSolver preload_solver(const LifeModel& model, Direction d, std::shared_pt
   };
 }
 
-/// The load case that acts together with all forces, or none of its own.
+/// The load case that acts together with all forces, or an empty one.
 SpatialLoad spatial_load(const Conditions& c) {
   const auto named = [&](const LoadCase& load) {
     return load.share == LoadCase::Share::solved && (!c.life->load_case || load.name == *c.life->load_case);
@@ -210,7 +209,7 @@ SpatialLoad spatial_load(const Conditions& c) {
   return found == c.load_cases.end() ? SpatialLoad{} : found->spatial;
 }
 
-/// A load case of `life`, still without force.
+/// Load case for `life`, before its force is set.
 LoadCase load_case_of(const Conditions& c, Direction d) {
   LoadCase load;
   load.direction = d;
@@ -246,7 +245,7 @@ std::vector<double> rated_over(const LifeModel& model, const Orbit& orbit, doubl
   return loads;
 }
 
-/// The largest loads of a turn of the carrier, and where an interface has its own.
+/// Adds the largest loads of a turn of the carrier, and the carrier angle of each interface's largest.
 void add_largest(const LifeModel& model, const Orbit& orbit, Direction d, ContactLoads& loads) {
   const RatedContacts rated = model.rated();
   for (const Interface i : kInterfaces) {
@@ -297,7 +296,7 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
       std::optional<ContactLoads> loads = solver(force);
       if (!loads) return std::optional<LargestLoads>();
       LargestLoads& largest = loads->largest[d];
-      for (const Interface i : kInterfaces) {  // With preload the other flank carries too.
+      for (const Interface i : kInterfaces) {  // With preload the other flank is loaded too.
         const std::vector<double>& other = loads->largest[opposite(d)][i];
         for (std::size_t k = 0; k < other.size(); ++k) largest[i][k] = std::max(largest[i][k], other[k]);
       }
@@ -313,7 +312,7 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
     for (const Interface i : kInterfaces) largest[i].assign(model.rated().threads, 0.0);
     for (const double angle : angles) {
       there.spatial.carrier_angle = angle;
-      there.travel.reset();  // An orbit turns the carrier alone.
+      there.travel.reset();  // In an orbit only the carrier turns.
       const FullDistribution solved =
           full_distribution(there, model.c, model.contacts, model.laws, *solver_of_all, Detail::numbers);
       if (!solved.solve.converged()) return std::optional<LargestLoads>();

@@ -9,38 +9,35 @@
 
 namespace prs {
 
-/// Thread loads of one direction over the axial load F, as shares l or, where both flanks carry at
-/// F = 0 too, as loads. A million loads need only some tens of
-/// equilibria: between them the shares are interpolated, with an error that is controlled.
+/// Thread loads of one direction over the axial load F, as shares l or, if both flanks carry at F = 0 too, as loads. A
+/// million loads need only some tens of equilibria: between them the shares are interpolated, with an error that is
+/// controlled.
 ///
-/// The value of a thread at one interface is its share l = N F_thread/(F/rollers), 1 where N
-/// threads share equally; l and l^3 are polynomials of degree 8 in F^(1/3) (in which Hertz contacts
-/// leave equal shares) on panels that are halved until both hit equilibria between the nodes within
-/// a tolerance of the largest. Threads that open leave a kink, on which panels pile up.
+/// The value of a thread at one interface is its share l = N F_thread/(F/rollers), 1 if N threads share equally; l and
+/// l^3 are polynomials of degree 8 in F^(1/3) (in which Hertz contacts deviate from equal shares) on panels that are
+/// halved until both agree with equilibria between the nodes within a tolerance of the largest. Threads that open cause
+/// a kink, at which panels become narrow.
 class ShareCurve {
  public:
   static constexpr std::size_t kNodes = 9;
   static constexpr double kTolerance = 1e-8;
 
-  /// Shares of all threads in equilibrium under an axial force > 0 [N], screw before nut; absent
-  /// where the solve fails.
+  /// Shares of all threads in equilibrium under an axial force > 0 [N], screw before nut; absent if the solve fails.
   using Solve = std::function<std::optional<std::vector<double>>(double force)>;
 
   struct Accuracy {
     double tolerance = kTolerance;
-    /// What the shares between two forces [N] weigh: their error times this is held to the
-    /// tolerance, and to `kWorstError` at least. 1 where it is not given.
+    /// Weight of the shares between two forces [N]: their error times the weight must be within the tolerance, and the
+    /// error within `kWorstError`. 1 if not given.
     std::function<double(double from, double to)> weight = {};
   };
   static constexpr double kWorstError = 1e-2;
 
-  /// Solves on [`least`, `greatest`] [N], 0 <= least <= greatest. Loads below count with the shares
-  /// at `least`.
+  /// Solves on [`least`, `greatest`] [N], 0 <= least <= greatest. Smaller loads get the shares at `least`.
   ShareCurve(const Solve& solve, double least, double greatest, Accuracy accuracy);
   ShareCurve(const Solve& solve, double least, double greatest) : ShareCurve(solve, least, greatest, Accuracy{}) {}
 
-  /// Solves at these forces alone [N], of which there must be one; a load between them counts with
-  /// the shares at the next smaller one.
+  /// Solves at these forces only [N], at least one; a load between them gets the shares at the next smaller one.
   ShareCurve(const Solve& solve, const std::set<double>& forces);
 
   /// Force at which no equilibrium was found; the curve must then not be used.
@@ -52,7 +49,7 @@ class ShareCurve {
   std::size_t node_count() const { return nodes_.size(); }
   const std::vector<double>& shares(std::size_t node) const { return nodes_[node]; }
 
-  /// A load between the nodes: what is interpolated is sum_j weights[j] value(first + j).
+  /// Place of a load between the nodes: the interpolated value is sum_j weights[j] value(first + j).
   struct Place {
     std::size_t first = 0;
     std::array<double, kNodes> weights{};
@@ -70,22 +67,21 @@ class ShareCurve {
   std::optional<std::vector<double>> solve_at(const Solve& solve, double x);
 
   Accuracy accuracy_;
-  std::map<double, std::vector<double>> shared_;  ///< At ends and middles of panels, by F^(1/3).
+  std::map<double, std::vector<double>> shared_;  ///< Values at ends and middles of panels, by F^(1/3).
   std::vector<Panel> panels_;
-  std::vector<std::vector<double>> nodes_;  ///< kNodes a panel.
+  std::vector<std::vector<double>> nodes_;  ///< Values at nodes, kNodes per panel.
   std::optional<double> failed_at_;
   int solves_ = 0;
   double error_ = 0.0;
 };
 
-/// The contacts that have a life of their own, in the order of a list of their loads. Flank after
-/// flank stand the threads of the screw, those of the nut and, of a full mechanism, those of each
-/// roller at the screw and at the nut. With preload the load of the flank follows, which is none of
-/// a contact.
+/// Contacts with a life of their own, in the order of a list of their loads. For each flank the list has the threads of
+/// the screw, those of the nut and, for a full mechanism, those of each roller at the screw and at the nut. With
+/// preload the total load of the flank follows.
 struct RatedContacts {
-  std::size_t threads = 0;   ///< Threads of a roller.
-  std::size_t rollers = 0;   ///< Rollers of a full mechanism; 0: one roller stands for all.
-  bool both_flanks = false;  ///< Tension and compression flanks under each load: preload.
+  std::size_t threads = 0;   ///< Threads per roller.
+  std::size_t rollers = 0;   ///< Rollers of a full mechanism; 0: one roller represents all.
+  bool both_flanks = false;  ///< Whether tension and compression flanks are loaded under each load: preload.
 
   std::size_t of_flank() const { return 2 * threads * (1 + rollers) + (both_flanks ? 1 : 0); }
   std::size_t count() const { return (both_flanks ? 2 : 1) * of_flank(); }
@@ -94,7 +90,7 @@ struct RatedContacts {
   /// Indices at which an interface begins on a flank: threads of screw or nut, and of the rollers.
   std::size_t body(Interface i) const { return i == Interface::screw ? 0 : threads; }
   std::size_t roller(Interface i) const { return threads * (i == Interface::screw ? 2 : 2 + rollers); }
-  /// Index of the load of a flank on that flank, with preload.
+  /// Index of a flank's total load, with preload.
   std::size_t side() const { return 2 * threads * (1 + rollers); }
 };
 
@@ -103,60 +99,57 @@ using LargestLoads = PerInterface<std::vector<double>>;
 
 /// Loads of a mechanism under one axial force.
 struct ContactLoads {
-  /// For each rated contact the load of the mechanism at which all carried as much as it does; as a
-  /// share of the force, with preload in N. A thread of screw or nut meets all rollers in turn and
-  /// has the cubic mean of their loads, over a turn of the carrier; a thread of a roller has its
-  /// own.
+  /// For each rated contact the load of the mechanism at which all contacts would carry as much as it does; as a share
+  /// of the force, with preload in N. A thread of screw or nut meets all rollers in turn and has the cubic mean of
+  /// their loads, over a turn of the carrier; a thread of a roller has its own.
   std::vector<double> rated;
   /// Largest axial load of each thread over all rollers and positions of the carrier [N].
   PerDirection<LargestLoads> largest;
-  /// Angle of the carrier when an interface has its largest load [rad]; full mechanism only.
+  /// Angle of the carrier at the largest load of an interface [rad]; full mechanism only.
   PerInterface<double> carrier_angle;
 };
 
-/// Loads under a force > 0 of one sense, with preload >= 0 [N]; nothing where there is no
-/// equilibrium.
+/// Loads under a force > 0 of one sense, with preload >= 0 [N]; none without equilibrium.
 using ContactSolver = std::function<std::optional<ContactLoads>(double force)>;
 using LargestSolver = std::function<std::optional<LargestLoads>(double force)>;
 
-/// What `life` rates: a case, its threads and how they push.
+/// Model rated by `life`: a case, its threads and their contact laws.
 struct LifeModel {
   const Conditions& c;
   const Contacts& contacts;
   PerInterface<ContactLaw> laws;
-  std::optional<Oils> oils = {};  ///< In place of the lubricant at the temperature of the file.
+  std::optional<Oils> oils = {};  ///< Oils that replace the lubricant at the temperature of the file.
 
-  /// Whether fatigue stands on loads of the running screw.
+  /// Whether fatigue is computed from loads of the running screw.
   bool running() const { return life_takes_running_loads(c); }
   bool solved() const { return c.life->share == LoadCase::Share::solved; }
   bool preloaded() const { return c.preload.has_value(); }
   bool full() const { return solved() && c.model.all_rollers(); }
-  /// Whether threads carry, and may reach a limit, without any axial force: not only by preload.
+  /// Whether threads carry load, and may reach a limit, without any axial force, for other reasons than preload.
   bool is_loaded_across() const;
   RatedContacts rated() const;
   /// Axial load of a thread with equal shares per axial force.
   double equal_share() const;
 };
 
-/// Largest loads of the flanks of a direction under a force of its sense; of a full mechanism with
-/// the carrier where `at` found them.
+/// Largest loads of the flanks of a direction under a force of its sense; for a full mechanism at the carrier angle of
+/// `at`.
 LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver, const ContactLoads& at);
 
-/// Why all rollers have no equilibrium under a force of this sense, at the first place of the
-/// carrier that has none; empty where the model says no more than that it did not converge.
+/// Reason why all rollers have no equilibrium under a force of this sense, at the first carrier angle without one;
+/// empty if the model only reports that it did not converge.
 std::string why_not_held(const LifeModel& model, Direction d, double force);
 
-/// A solver for each sense of the load that is wanted, at rest. Throws CaseError where the preload
-/// has no fit.
+/// A solver for each wanted sense of the load, at rest. Throws CaseError if the preload has no fit.
 PerDirection<ContactSolver> contact_solvers(const LifeModel& model, const PerDirection<bool>& wanted);
 
-/// A load case of `life` of one sense, still without force, that the screw or the load drives at
-/// the magnitude of `operation.speed`.
+/// A load case of `life` of one sense, before its force is set, driven by the screw or the load at the magnitude of
+/// `operation.speed`.
 LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenBy driven_by);
 
-/// Loads of the running screw under a force > 0 of one sense, with preload >= 0, that the screw or
-/// the load drives at the magnitude of `operation.speed`. Fatigue and pressure follow the normal
-/// loads N: a thread counts with N cos(psi), shares of which no longer sum to n_t.
+/// Loads of the running screw under a force > 0 of one sense, with preload >= 0, driven by the screw or the load at the
+/// magnitude of `operation.speed`. Fatigue and pressure follow the normal loads N: a thread counts with N cos(psi),
+/// shares of which no longer sum to n_t.
 ContactSolver running_loads_solver(const LifeModel& model, Direction d, DrivenBy driven_by);
 
 }  // namespace prs

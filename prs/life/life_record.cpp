@@ -6,7 +6,7 @@
 namespace prs {
 namespace {
 
-/// What is told together with the whole result.
+/// Lives of an interface, with the whole result.
 struct InterfaceLife {
   const ThreadLives* threads = nullptr;
   std::optional<double> peak_pressure;
@@ -69,7 +69,7 @@ bool is_finite(const LifeInUse& life) { return std::isfinite(life.revolutions); 
 constexpr std::string_view kReliability = "ISO 281:2007, a1",
                            kRated = "the L10 value times reliability_factor and modification_factor";
 
-/// A life, scaled to the reliability that is asked for.
+/// A life, scaled to the requested reliability.
 template <auto member>
 constexpr auto rated_of = of<[](auto& life) {
   const auto& value = std::invoke(member, life);

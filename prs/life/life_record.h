@@ -5,15 +5,15 @@
 
 namespace prs {
 
-/// A life in what people count, at the value of the capacity.
+/// A life in practical units, at the value of the capacity.
 struct LifeInUse {
   double revolutions = 0.0;
-  std::array<double, 2> revolutions_range{};  ///< By the range of the capacity.
-  std::optional<double> hours;                ///< By the clock, where it is known; else in motion.
-  std::optional<double> moving_hours;         ///< In motion.
+  std::array<double, 2> revolutions_range{};  ///< Lives for the range of the capacity.
+  std::optional<double> hours;                ///< Hours by the clock, if known; else in motion.
+  std::optional<double> moving_hours;         ///< Hours in motion.
   double travel = 0.0;                        ///< [m]
   std::optional<double> passes;               ///< Passes through the history or the spectrum.
-  double rated = 1.0;                         ///< The rated life over this one.
+  double rated = 1.0;                         ///< Ratio of the rated life to this one.
 };
 
 LifeInUse in_use(const LifeResult& r, double revolutions);

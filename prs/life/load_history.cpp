@@ -58,7 +58,7 @@ std::optional<double> loaded_stroke(const LoadHistory& h, double least) {
 
 std::vector<LoadStep> load_steps(const LoadHistory& h, double lead, std::optional<double> operation_speed,
                                  HistorySource::DrivenBy driven_by) {
-  // > 0 where tension drives.
+  // > 0 if tension drives.
   const auto way = [&](std::size_t k) {
     if (!h.position.empty()) return h.position[k] - h.position[k - 1];
     return h.speed.empty() ? 0.0 : -(h.speed[k - 1] + h.speed[k]) * lead;

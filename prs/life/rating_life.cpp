@@ -5,7 +5,7 @@
 namespace prs {
 namespace {
 
-/// Beyond this angle from 45 deg Lemor's factor is stretched.
+/// Largest distance from 45 deg at which Lemor's factor is valid.
 constexpr double kAngleTolerance = 5.0 * std::numbers::pi / 180.0;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

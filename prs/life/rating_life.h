@@ -5,14 +5,14 @@
 
 namespace prs {
 
-/// Range of a number that theory does not fix.
+/// Range of a number that theory does not determine.
 struct Interval {
   double least = 0.0;
   double greatest = 0.0;
 };
 
-/// Diameter of the rolling element at a contact [m], that of the ball which a roller's thread of
-/// the pitch p and the roller's pitch diameter d_r stand for:
+/// Diameter of the rolling element at a contact [m]: of the ball equivalent to a roller's thread of pitch p on the
+/// roller's pitch diameter d_r,
 ///
 ///     D_c = sqrt(2.5 p sqrt(2) d_r)
 ///
@@ -31,7 +31,7 @@ std::optional<double> geometry_factor(double ratio);
 /// Largest deviation of (6.3) from the values of ISO 281.
 inline constexpr double kFactorFit = 0.0035;
 
-/// What the diameter D_c of the rolling element [m] makes of its capacity (ISO 281), D_c in mm:
+/// Effect of the diameter D_c of the rolling element [m] on its capacity (ISO 281), D_c in mm:
 ///
 ///     D_c^1.8 up to 25.4 mm,   3.647 D_c^1.4 beyond
 double size_factor(double element_diameter);
@@ -51,51 +51,48 @@ double lemor_capacity(double factor, double contact_angle, int contacts, double 
 /// Inputs of Lemor's formula. SI units.
 struct LemorGeometry {
   double pitch = 0.0;            ///< p, axial [m]
-  double roller_diameter = 0.0;  ///< d_r, pitch diameter [m]
-  double nut_diameter = 0.0;     ///< d_n, pitch diameter [m]
+  double roller_diameter = 0.0;  ///< d_r, pitch diameter of the roller [m].
+  double nut_diameter = 0.0;     ///< d_n, pitch diameter of the nut [m].
   double pitch_circle = 0.0;     ///< Diameter of the circle of the rollers' axes, 2 c [m].
-  double contact_angle = 0.0;    ///< alpha, from the radial plane [rad]
+  double contact_angle = 0.0;    ///< alpha, measured from the radial plane [rad].
   double helix_angle = 0.0;      ///< beta of the screw [rad]
   int contacts = 0;              ///< N_c
 };
 
-/// Contact angle of bearings [rad], from the radial plane, by the angles between both contact
-/// normals and the axis: a right angle less their mean.
+/// Contact angle of bearings [rad], measured from the radial plane: a right angle less the mean angle between the
+/// contact normals and the axis.
 double contact_angle(const PerInterface<double>& normal_angle);
 
-/// Inputs of Lemor's formula from a mechanism that has all pitch diameters and the centre distance.
+/// Inputs of Lemor's formula from a mechanism with all pitch diameters and the centre distance.
 LemorGeometry lemor_geometry(const Mechanism& mechanism, double contact_angle);
 
-/// Lemor's capacity with the range in which its factor is known.
+/// Lemor's capacity with the range of its factor.
 struct LemorCapacity {
   double ratio = 0.0;             ///< d_r cos(alpha)/d_n
   double factor = 0.0;            ///< f_c at this ratio.
-  Interval factor_range;          ///< Spread by the readings of the ratio and the fit.
+  Interval factor_range;          ///< Range by different readings of the ratio and by the fit.
   double element_diameter = 0.0;  ///< D_c [m]
   double capacity = 0.0;          ///< C_a [N]
-  Interval capacity_range;        ///< Capacity over the same readings [N].
+  Interval capacity_range;        ///< Range of the capacity for the same readings [N].
 };
 
-/// The ratio of Jung 2017, section 5.1: d_r cos(alpha)/d_n.
+/// Ratio of Jung 2017, section 5.1: d_r cos(alpha)/d_n.
 double factor_ratio(const LemorGeometry& g);
 
-/// C_a of a mechanism. Its value takes the ratio of Jung, d_r cos(alpha)/d_n. The factor belongs to
-/// ISO 281's ratio of rolling element to pitch circle, which Jung's diameters stand for, so the
-/// range spans the ratios d_r cos(alpha)/d_n, d_r cos(alpha)/(2 c) and D_c cos(alpha)/(2 c),
-/// widened by the error of the fit; a ratio beyond 0.30 counts as 0.30 there. What Lemor's
-/// exponents and the quality of steel and threads leave open is not part of it: what that amounts
-/// to is `kCapacityOverMakers`. Absent where Jung's ratio is outside 0.01 .. 0.30.
+/// C_a of a mechanism. Its value uses the ratio of Jung, d_r cos(alpha)/d_n. The factor belongs to ISO 281's ratio of
+/// rolling element to pitch circle, which Jung replaces by these diameters, so the range spans the ratios d_r
+/// cos(alpha)/d_n, d_r cos(alpha)/(2 c) and D_c cos(alpha)/(2 c), widened by the error of the fit; a ratio beyond 0.30
+/// counts as 0.30 there. The uncertainty of Lemor's exponents and of the quality of steel and threads is not included:
+/// see `kCapacityOverMakers`. Absent if Jung's ratio is outside 0.01 .. 0.30.
 std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g);
 
-/// Lemor's C_a over that of a maker for standard screws from 8 to 120 mm, see
-/// validation/standard_screws.
+/// Ratio of Lemor's C_a to that of a maker for standard screws from 8 to 120 mm, see validation/standard_screws.
 inline constexpr Interval kCapacityOverMakers = {0.69, 1.26};
 
-/// A warning where the contact angle [rad] is not that for which Lemor's factor is known, 45 deg.
+/// A warning if the contact angle [rad] differs from 45 deg, for which Lemor's factor is known.
 std::optional<Warning> beside_lemor_angle(double contact_angle);
 
-/// A warning where a load [N] is beyond what the life formula is made for, half of the dynamic
-/// capacity [N] (ISO 281).
+/// A warning if a load [N] exceeds the range of the life formula, half of the dynamic capacity [N] (ISO 281).
 std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity);
 
 /// Normal load [N] that gives a contact the peak pressure p_0 [Pa]: with the semi-axes a = a' N^1/3
@@ -114,10 +111,10 @@ inline constexpr double kWeibullSlope = 10.0 / 9.0;
 struct LoadStep {
   double axial_force = 0.0;
   double revolutions = 0.0;
-  double driven_by_load = 0.0;  ///< Those of them that the load drives.
+  double driven_by_load = 0.0;  ///< Revolutions driven by the load.
 };
 
-/// L10 [revolutions] of what has the dynamic capacity C [N] under the load F [N]:
+/// L10 [revolutions] at the dynamic capacity C [N] under the load F [N]:
 ///
 ///     L10 = 10^6 (C/F)^3
 ///
@@ -146,14 +143,12 @@ double modification_factor(double viscosity_ratio, double contamination, double 
 /// (8.28) weights by strokes; revolutions are strokes over the lead. 0 without revolutions.
 double mean_load(std::span<const LoadStep> steps);
 
-/// Life at which 90 % survive of what fails with its first part, from the lives of its parts at the
-/// same reliability (product law of Weibull): L = (sum L_i^-e)^(-1/e), e = 10/9. Infinite where no
-/// part is loaded.
+/// Life at which 90 % survive of a system that fails with its first part, from the lives of its parts at the same
+/// reliability (product law of Weibull): L = (sum L_i^-e)^(-1/e), e = 10/9. Infinite if no part is loaded.
 double combined_life(std::span<const double> lives);
 
-/// Shares w of screw and nut in the failures of a mechanism with equal thread loads, sum 1. As
-/// ISO/TS 16281 splits the capacity of a thrust ball bearing between its rings, for equal
-/// conformity at both:
+/// Shares w of screw and nut in the failures of a mechanism with equal thread loads, sum 1. ISO/TS 16281 splits the
+/// capacity of a thrust ball bearing between its rings in the same way, for equal conformity at both:
 ///
 ///     w_screw = 1/(1 + lambda^(10/3)),   w_nut = 1 - w_screw,
 ///     lambda = Q_screw/Q_nut = ((1 - gamma)/(1 + gamma))^1.72,   gamma = d_r cos(alpha)/(2 c).
@@ -161,27 +156,24 @@ double combined_life(std::span<const double> lives);
 /// The screw, convex against the rollers, fails first. 0 <= gamma < 1.
 PerInterface<double> failure_shares(double gamma);
 
-/// Part of the rollers in the failures of an interface of a full mechanism, where all contacts
-/// carry alike; the rest is that of the thread of screw or nut. By Lundberg and Palmgren, both
-/// bodies of a contact have its stress and its depth, so that only cycles u and stressed volume V
-/// tell them apart, u^e V. Their tracks have the lengths pi d, and roll the same way s on each
-/// other:
+/// Share of the rollers in the failures of an interface of a full mechanism, if all contacts carry equally; the rest is
+/// that of the thread of screw or nut. By Lundberg and Palmgren, both bodies of a contact have the same stress and
+/// depth, so that they differ only in cycles u and stressed volume V, u^e V. Their tracks have the lengths pi d, and
+/// roll the same distance s on each other:
 ///
 ///     rollers/body = N d_R (s/d_R)^e / (d (N s/d)^e) = (N d_R/d)^(1 - e)
 ///
-/// N the rollers, d_R their pitch diameter and d that of screw or nut, e = 10/9.
+/// N the number of rollers, d_R their pitch diameter and d that of screw or nut, e = 10/9.
 double roller_failure_share(int rollers, double roller_diameter, double body_diameter);
 
-/// L10 [revolutions] of one thread at one interface, that of all rollers together, under its
-/// equivalent load. With C the mechanism's capacity, w the share of the interface and N the threads
-/// of a roller,
+/// L10 [revolutions] of one thread at one interface, of all rollers together, under its equivalent load. With C the
+/// mechanism's capacity, w the share of the interface and N the threads of a roller,
 ///
 ///     L10 = (N/w)^(1/e) 10^6 (C/F_eq)^3
 ///
-/// `equivalent_load` F_eq [N] is the cubic mean of N times the axial load of the thread of all
-/// rollers: the mechanism's load at which this thread would carry as much with equal shares. With
-/// equal shares `combined_life` of all threads of both interfaces is `rating_life(C, F)`. After the
-/// idea of ISO/TS 16281, whose slices the threads are.
+/// `equivalent_load` F_eq [N] is the cubic mean of N times the axial load of the thread of all rollers: the mechanism's
+/// load at which this thread would carry as much with equal shares. With equal shares `combined_life` of all threads of
+/// both interfaces is `rating_life(C, F)`. The idea is from ISO/TS 16281, with threads in place of slices.
 double thread_life(double capacity, double equivalent_load, double failure_share, int threads);
 
 }  // namespace prs

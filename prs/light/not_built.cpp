@@ -21,7 +21,7 @@
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/size/requirement.h"
 
-/// Functions of rooms that the light program leaves out (PRS_FULL): each says by name that it is not built.
+/// Functions of rooms that the light program omits (PRS_FULL): each throws an error with the missing command.
 namespace prs {
 namespace {
 
@@ -36,7 +36,7 @@ AnyAnalysis left_out(Command command, std::string_view help, bool is_judged = fa
           .is_judged = is_judged};
 }
 
-/// Any function of a requirement, in place of one that is left out.
+/// Replaces any omitted function of a requirement.
 template <class Result, class... Arguments>
 using Function = Result (*)(Arguments...);
 constexpr struct {
@@ -153,7 +153,7 @@ PerInterface<double> oil_temperatures(const OfParts&) { throw NotBuilt("heat"); 
 LifeResult life_of(const input::Source&, const input::CaseInput&) { throw NotBuilt("prs life"); }
 FitInput read_fit_input(const input::Source&) { throw NotBuilt("prs fit"); }
 
-// What the verdict says of them.
+// Texts of the verdict about limits.
 std::string describe(StaticLimit) { throw NotBuilt("prs life"); }
 MeasuresResult analyze_measures(const Conditions&, Contacts, AnalysisOptions) { throw NotBuilt("prs measures"); }
 std::vector<FoundCriterion> measures_criteria(const MeasuresResult&, const JudgedCase&) {

@@ -9,7 +9,7 @@ class FullSolver;
 struct AnalysisOptions {
   Detail detail = Detail::complete;
   Solver solver = Solver::sparse;
-  /// Solver of full mechanisms, for a thread that analyses many; null: one for each analysis.
+  /// Solver of full mechanisms, for a thread that analyses many; null: a new one for each analysis.
   FullSolver* full = nullptr;
 };
 

@@ -8,8 +8,7 @@
 namespace prs {
 namespace {
 
-/// Solvers by direction and position: load cases on one sector share what does not depend on the
-/// load.
+/// Solvers by direction and position: load cases on one sector share all that does not depend on the load.
 class SolverPool {
  public:
   SolverPool(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws, Solver solver)
@@ -30,7 +29,7 @@ class SolverPool {
   std::map<std::pair<Direction, double>, DistributionSolver> solvers_;
 };
 
-/// A result that so far holds the contacts and the warnings of the geometry.
+/// A result with contacts and warnings of the geometry only.
 Result result_on(const Conditions& c, Contacts contacts, Detail detail) {
   Result result;
   result.contacts = std::move(contacts);
@@ -39,7 +38,7 @@ Result result_on(const Conditions& c, Contacts contacts, Detail detail) {
   return result;
 }
 
-/// What designed radii break.
+/// Checks the case with the radii that a design has computed.
 void check_designed(Case& c, Mechanism mechanism) {
   mechanism.geometry = Mechanism::Geometry::simulation;
   std::swap(c.mechanism, mechanism);

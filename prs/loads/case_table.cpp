@@ -15,7 +15,7 @@ constexpr std::size_t kMaxLabels = 12;
 
 struct PointName {
   std::string_view base;
-  std::optional<int> point;  ///< Absent for a case that is no point of a range.
+  std::optional<int> point;  ///< Absent for a case outside ranges.
 };
 
 PointName split(std::string_view name) {
@@ -41,7 +41,7 @@ std::string folded_points(std::vector<int> points) {
   return fmt::to_string(fmt::join(runs, ", "));
 }
 
-/// The name without the word for the direction at its end.
+/// The name without the direction at its end.
 std::string configuration_name(const CaseGroup& group) {
   if (!group.direction) return group.name;
   const std::string_view word = name(*group.direction);
@@ -54,7 +54,7 @@ std::string configuration_name(const CaseGroup& group) {
 constexpr std::size_t kMinNameWidth = 12;
 constexpr std::string_view kGap = "  ";
 
-/// Cells of the first columns, then perhaps a remark in place of the others.
+/// Cells of the first columns, and possibly a remark that replaces the others.
 struct Row {
   std::vector<std::string> cells;
   std::string remark;
@@ -67,7 +67,7 @@ Row case_row(const CaseTable& table, const LoadCaseResult& result) {
   return row;
 }
 
-/// First, middle and last point of a range, and how many there are.
+/// Adds first, middle and last point of a range, and the number of points.
 void add_folded_rows(const CaseTable& table, const CaseGroup& group, std::vector<Row>& rows) {
   const std::size_t count = group.cases.size();
   for (const std::size_t k : {std::size_t{0}, count / 2, count - 1}) rows.push_back(case_row(table, *group.cases[k]));
@@ -100,7 +100,7 @@ std::vector<Row> table_rows(const CaseTable& table, const std::vector<LoadCaseRe
   return rows;
 }
 
-/// As wide as the widest cell; the names give way where the table would be too wide.
+/// Widths of the widest cells; names are shortened if the table would be too wide.
 std::vector<std::size_t> column_widths(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().cells.size());
   for (const Row& row : rows)
@@ -121,7 +121,7 @@ std::string row_line(const CaseTable& table, const Row& row, const std::vector<s
   return ended(line + (row.remark.empty() ? "" : shortened(row.remark, kTableWidth - width(line))));
 }
 
-/// A path without the load case at its head.
+/// A path without its leading load case.
 std::string without_load_case(const std::string& path) {
   return path.starts_with("load_cases[") ? path.substr(path.find(']') + 1) : path;
 }

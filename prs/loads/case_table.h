@@ -5,14 +5,14 @@
 
 namespace prs {
 
-/// Most cases that a table names one by one; of more, it shows what they share in one line.
+/// Largest number of cases that a table lists one by one; more share lines.
 inline constexpr std::size_t kMaxUnfoldedCases = 24;
 
-/// The load cases that one range of the input made (`NAME[k]`), in their order, or a single case.
+/// Load cases made from one range of the input (`NAME[k]`), in order, or a single case.
 struct CaseGroup {
   std::string name;  ///< NAME, without `[k]`.
   std::optional<Direction> direction;
-  std::vector<const LoadCaseResult*> cases;  ///< Never empty; point into the grouped results.
+  std::vector<const LoadCaseResult*> cases;  ///< Cases, never empty; they point into the grouped results.
 };
 
 /// Groups by name and direction, in the order of the first members.
@@ -26,14 +26,13 @@ struct LoadedConfiguration {
   const CaseGroup* group(std::optional<Direction> direction) const;
 };
 
-/// Groups of at least `min_points` cases of which `keep` is true, the others left out. Two
-/// directions belong together where their names differ in the last word only: `config1-tension` and
-/// `config1-compression` make `config1`.
+/// Groups of at least `min_points` cases for which `keep` is true, without the other cases. Two directions belong
+/// together if their names differ in the last word only: `config1-tension` and `config1-compression` make `config1`.
 std::vector<LoadedConfiguration> loaded_configurations(const std::vector<LoadCaseResult>& results,
                                                        std::size_t min_points, bool (*keep)(const LoadCaseResult&));
 
-/// Lists names with the points of a range folded: `a[0–44], b, c[3, 7–9]`. Beyond
-/// twelve entries says how many there are.
+/// List of names with the points of a range folded: `a[0–44], b, c[3, 7–9]`. Beyond twelve entries their number is
+/// given.
 std::string folded_names(const std::vector<std::string>& names);
 
 struct CaseColumn {
@@ -46,13 +45,13 @@ struct CaseColumn {
 /// A table with one row per load case.
 struct CaseTable {
   std::span<const CaseColumn> columns;
-  std::size_t load_columns = 0;                   ///< The first say what the load is; a failed case has no others.
-  std::string (*failure)(const LoadCaseResult&);  ///< Stands in their place; empty where none.
-  std::string_view file;                          ///< File that has all points of a range.
+  std::size_t load_columns = 0;  ///< Number of columns that describe the load; a failed case has only these.
+  /// Text for a failed case in place of the other columns; empty for others.
+  std::string (*failure)(const LoadCaseResult&);
+  std::string_view file;  ///< File with all points of a range.
 };
 
-/// The table as a rule within `kTableWidth` columns. Beyond 24 cases a range shows its first,
-/// middle and last point.
+/// The table, usually within `kTableWidth` columns. Beyond 24 cases a range shows its first, middle and last point.
 std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>& results);
 
 /// Text for a case without equilibrium; else empty.
@@ -66,36 +65,36 @@ std::string stiffness_cell(const LoadCaseResult& result);     ///< [N/µm]
 std::string displacement_cell(const LoadCaseResult& result);  ///< [µm]
 /// The thread with the largest share [%], and its share.
 std::string most_loaded_cell(const LoadCaseResult& result, Interface i);
-/// The largest of all threads [GPa], and where it acts.
+/// The largest pressure of all threads [GPa], and its place.
 std::string pressure_cell(const LoadCaseResult& result);
 
-/// Decimals of a force in kN: also one of a newton shows four digits.
+/// Decimals of a force in kN, enough for four digits of one newton.
 int force_decimals(double force);
 
-/// Warnings with one code and path, those of several load cases, as one.
+/// Warnings with one code and path, of several load cases, combined.
 struct WarningGroup {
   Warning worst;
-  std::vector<std::string> cases = {};  ///< Each once; none: it is about the whole case.
-  bool differs = false;                 ///< Not all say the same.
-  bool several_paths = false;           ///< By the index of the load case.
+  std::vector<std::string> cases = {};  ///< Names, each once; empty: the warning is about the whole case.
+  bool differs = false;                 ///< Whether their sentences differ.
+  bool several_paths = false;           ///< Whether their paths differ in the index of the load case.
 
   std::string text() const;
-  /// `worst in push, and 2 other load cases`, or where all say the same `in a, b[0–44]`; empty
-  /// where it is about the whole case.
+  /// `worst in push, and 2 other load cases`, or if all have the same sentence `in a, b[0–44]`; empty if it is about
+  /// the whole case.
   std::string where() const;
 };
 
 /// Groups in the order of their first members.
 std::vector<WarningGroup> grouped(const std::vector<Warning>& warnings);
 
-/// Those of the whole case, then those of the load cases with their names.
+/// Warnings of the whole case, then those of the load cases with their names.
 std::vector<Warning> all_warnings(std::vector<Warning> of_case, const std::vector<LoadCaseResult>& load_cases);
 std::vector<Warning> all_warnings(const Result& result);
 
-/// Each group once with the cases it concerns, in the units of tables: warnings, then assumptions, each
-/// below its heading. Empty where there is none.
+/// Each group once with its cases, in the units of tables: warnings, then assumptions, each under a heading. Empty if
+/// there is none.
 std::string warning_summary(const std::vector<Warning>& warnings);
-/// The same below an empty line.
+/// The summary after an empty line.
 std::string warning_section(const std::vector<Warning>& warnings);
 
 }  // namespace prs

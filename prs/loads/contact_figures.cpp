@@ -10,14 +10,14 @@ namespace {
 constexpr Style kContactMark = points_of(Colour::ink, Mark::circle);
 constexpr Style kAxisLine = line_of(Colour::reference, Dash::dash_dotted, Weight::thin);
 
-/// Sandu's name of the contact point.
+/// Sandu's letter for the contact point.
 constexpr const char* letter(Interface i) { return i == Interface::screw ? "I" : "J"; }
 
 bool has_contact_points(const Contacts& contacts) {
   return contacts.interfaces.screw.geometry.ok() && contacts.interfaces.nut.geometry.ok();
 }
 
-/// What the picture is of: `inverted screw 21 × 5 mm`.
+/// Name of the drawn mechanism: `inverted screw 21 × 5 mm`.
 std::string mechanism_title(const Contacts& contacts) {
   const contact::MechanismGeometry& threads = contacts.threads;
   return fmt::format("{}{} screw {:.4g} × {:.4g} mm", threads.screw.lead < 0.0 ? "left-handed " : "",
@@ -42,7 +42,7 @@ struct Cut {
   contact::Thread thread;
   double axis = 0.0;    ///< x of the thread's axis.
   double side = 1.0;    ///< +1 where x grows away from that axis, else -1.
-  double plane = 0.0;   ///< y of the section.
+  double plane = 0.0;   ///< y of the section plane.
   double origin = 0.0;  ///< z of the thread's origin.
 };
 
@@ -50,7 +50,7 @@ struct Cut {
 struct InterfaceCut {
   Cut body;
   Cut roller;
-  double contact_z = 0.0;  ///< Position of the contact point next to z = 0.
+  double contact_z = 0.0;  ///< Contact point next to z = 0.
   double contact_x = 0.0;
 };
 
@@ -78,7 +78,7 @@ InterfaceCut cut_through_contact(const Contacts& contacts, Interface i) {
   return cut;
 }
 
-/// Radii on the flank from root to crest, away from the ends where an arc may stand square.
+/// Radii on the flank from root to crest, without the ends where an arc may be perpendicular.
 std::array<double, kFlankPoints> flank_radii(const contact::Thread& thread) {
   const contact::RadiusLimits usable = contact::usable_limits(contact::ThreadSurface(thread));
   const contact::RadiusLimits sharp = contact::sharp_limits(thread);
@@ -112,7 +112,7 @@ Polyline outline(const Cut& cut, double half_length) {
   return line;
 }
 
-/// The material between the outline and a line parallel to the axis.
+/// Area of the material between the outline and a line parallel to the axis.
 Polyline filled_to(const Polyline& outline, double x) {
   Polyline polygon = outline;
   polygon.push_back({outline.back()[0], x * per_si::millimetre});
@@ -130,7 +130,7 @@ Polyline contact_points(const InterfaceCut& cut, double half_length) {
   return points;
 }
 
-/// What is drawn, whole; the panels show parts of it.
+/// The complete drawing; the panels show parts of it.
 struct Section {
   PerInterface<InterfaceCut> cuts;
   double inside = 0.0;   ///< x, inside the screw's root.
@@ -158,7 +158,7 @@ Series outlines(Figure& figure, Part part, std::vector<Polyline> parts) {
 }
 
 std::vector<Series> section_lines(Figure& figure, const Section& section) {
-  // Enough for panels up to twice as wide as high, and the material goes on beyond them.
+  // Long enough for panels up to twice as wide as high, with material beyond them.
   const double length = 2.0 * (section.outside - section.inside);
   const auto& [at_screw, at_nut] = section.cuts;
   const Polyline screw = outline(at_screw.body, length);
@@ -179,8 +179,8 @@ std::vector<Series> section_lines(Figure& figure, const Section& section) {
   return lines;
 }
 
-/// The other two faces come closest on the other side of the plane of the axes, by symmetry; the
-/// gap in this section is then not the backlash.
+/// Adds the backlash. The other two faces are closest on the other side of the plane of the axes, by symmetry; the gap
+/// in this section is then not the backlash.
 void add_backlash(Panel& panel, const InterfaceCut& cut, double backlash) {
   constexpr double kVisible = 1e-6;  // [m]
   if (!contact::same_pitch(cut.body.thread.pitch, cut.roller.thread.pitch)) return;
@@ -201,10 +201,9 @@ Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface
   return panel;
 }
 
-/// The three threads cut parallel to their axes: the section is stepped at the roller's axis and
-/// passes through the contact points on both sides, so that the loaded flanks touch where they do
-/// in space. An overview and each contact enlarged (Sandu 2018, figs. 1.8, 1.9). Parts of different
-/// pitch touch at one thread.
+/// The three threads cut parallel to their axes: the section is stepped at the roller's axis and passes through the
+/// contact points on both sides, so that the loaded flanks touch as they do in space. An overview and each contact
+/// enlarged (Sandu 2018, figs. 1.8, 1.9). Parts of different pitch touch at one thread.
 Figures contact_axial_section(const Contacts& contacts) {
   if (!has_contact_points(contacts)) return {};
   const Section section = section_of(contacts);
@@ -244,7 +243,7 @@ Polyline arc(const Circle& circle, double from, double to) {
 
 Polyline whole(const Circle& circle) { return arc(circle, 0.0, 2.0 * std::numbers::pi); }
 
-/// The part of the circle that lies within `reach` of the point where it meets the line of centres.
+/// Part of the circle within `reach` of its intersection with the line of centres.
 Polyline near_line_of_centres(const Circle& circle, double side, double reach) {
   const double middle = side > 0.0 ? 0.0 : std::numbers::pi;
   const double half = std::min(reach / circle.radius, std::numbers::pi);
@@ -277,7 +276,7 @@ void add_circle_styles(Figure& figure) {
 
 std::size_t style_of(Part part) { return static_cast<std::size_t>(part); }
 
-/// Names the contact point next to its mark, on the roller and above the lines.
+/// Label of the contact point next to its mark, on the roller and above the lines.
 Label mark_label(const Contacts& contacts, Interface i, double distance) {
   const auto [x, y] = contact_mm(contacts, i);
   const double up = distance * per_si::millimetre;
@@ -347,7 +346,7 @@ Figures contact_xy(const Contacts& contacts) {
 
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
-/// An ellipse as it is drawn: in mm, or with the major semi-axis 1 where there is no load.
+/// An ellipse as drawn: in mm, or with the major semi-axis 1 if there is no load.
 struct DrawnEllipse {
   double semi_major = 1.0;
   double semi_minor = 1.0;
@@ -360,7 +359,7 @@ struct LoadedThread {
   std::size_t thread = 0;
 };
 
-/// The one with the largest normal load among those that have an ellipse at the interface.
+/// Thread with the largest normal load among those with an ellipse at the interface.
 std::optional<LoadedThread> most_loaded(const Result& result, Interface i) {
   std::optional<LoadedThread> most;
   double largest = 0.0;
@@ -382,7 +381,7 @@ DrawnEllipse loaded_ellipse(const LoadedThread& at, Interface i) {
           fmt::format("{:.4g} N, {:.3f} GPa", loads.normal_load[k], loads.peak_pressure[k] * per_si::gigapascal)};
 }
 
-/// Absent where the relative curvatures give no ellipse.
+/// Ellipse without load; absent if the relative curvatures give none.
 std::optional<DrawnEllipse> unit_ellipse(const contact::InterfaceGeometry& geometry) {
   const double ratio = geometry.relative.first / geometry.relative.second;
   if (!(ratio > 0.0 && ratio <= 1.0)) return std::nullopt;
@@ -398,7 +397,7 @@ std::array<double, 2> polar(double radius, double angle) {
 
 Polyline diameter(double angle, double half_length) { return {polar(-half_length, angle), polar(half_length, angle)}; }
 
-/// Styles of the figure in the order of their legend; of the directions, the second follows.
+/// Styles of the figure in the order of their legend; of the two directions only the first is listed.
 enum EllipseStyle : std::size_t { kInside, kOutline, kScrew, kRoller = kScrew + 2, kNut = kRoller + 2 };
 
 void add_ellipse_styles(Figure& figure) {
@@ -449,10 +448,9 @@ std::string state_title(const PerInterface<std::optional<LoadedThread>>& at) {
   return "load case " + shown_name(load_case->load_case.name);
 }
 
-/// Both contact ellipses with the principal directions of both bodies, in the tangent planes and
-/// seen from outside the roller (Sandu 2018, fig. 1.16; Yao 2023, fig. 5): under the largest normal
-/// load of the cases, or of unit major semi-axes where no case has ellipses. Absent also where the
-/// relative curvatures give no ellipse.
+/// Both contact ellipses with the principal directions of both bodies, in the tangent planes and seen from outside the
+/// roller (Sandu 2018, fig. 1.16; Yao 2023, fig. 5): under the largest normal load of the cases, or with unit major
+/// semi-axes if no case has ellipses. Absent also if the relative curvatures give no ellipse.
 Figures contact_ellipses(const Result& result, const FigureOptions&) {
   const Contacts& contacts = result.contacts;
   if (!has_contact_points(contacts)) return {};

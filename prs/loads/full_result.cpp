@@ -7,10 +7,10 @@
 namespace prs {
 namespace {
 
-/// Loads that differ by less are the same load, as rounding has it.
+/// Difference of loads, relative, that is only rounding.
 constexpr double kSameLoad = 1e-9;
 
-/// Shares of the mean below which a thread carries nothing.
+/// Share of the mean load below which a thread carries nothing.
 constexpr double kUnloaded = 1e-6;
 
 std::vector<double> flat(const RollerThreads& values) {
@@ -40,8 +40,7 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   return s;
 }
 
-/// Bearings that push against each other with more than this many times the axial force leave
-/// balances of less than nine digits.
+/// Force between bearings, over the axial force, beyond which balances have less than nine digits.
 constexpr double kForcedBearing = 1e3;
 
 std::optional<Warning> forced_bearings(const std::vector<SupportForce>& bearings, double axial_force) {
@@ -66,13 +65,13 @@ std::optional<Warning> lifted_shoulder(const Structure::Nut& nut, const SupportF
       .with(moment, held, text_unit::newton_metre);
 }
 
-/// Rollers without anything of their own.
+/// Whether no roller has deviations of its own.
 bool alike(const Deviations& d) {
   return d.roller_diameters.empty() && d.roller_position.near.empty() && d.roller_position.far.empty() &&
          d.missing_rollers.empty() && d.pitch_error.roller.lists.empty() && d.turning.rollers == TurningRollers{};
 }
 
-/// Whether nothing but the rollers has an azimuth, so that all turns with the carrier.
+/// Whether nothing but the rollers depends on the azimuth, so that all turns with the carrier.
 bool is_round(const Conditions& c, const SpatialLoad& load) {
   const auto none = [](const Lateral& l) { return l.y == 0.0 && l.z == 0.0; };
   const Deviations& d = c.deviations;
@@ -95,7 +94,7 @@ class AllRollers {
   }
 
   RollersOnBodies& bodies() const { return *bodies_; }
-  /// Turned as the load case has it.
+  /// Model with the turns of the load case.
   FullModel model() const { return model(load_case_, turn_of(contacts_.mechanism, load_case_)); }
   FullModel model(const LoadCase& at, const Turn& turn) const {
     FullModel model =
@@ -103,7 +102,7 @@ class AllRollers {
     model.push = push_;
     return model;
   }
-  /// The carrier alone has turned.
+  /// Model in which only the carrier has turned.
   FullModel model(double carrier_angle) const {
     LoadCase at = load_case_;
     at.spatial.carrier_angle = carrier_angle;
@@ -175,7 +174,7 @@ ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistr
   return result;
 }
 
-/// A disc whose gyroscopic moment is this share of its tilting inertia splits pairs by per cents.
+/// Gyroscopic moment of a disc, as a share of its tilting inertia, that splits pairs of modes by several per cent.
 constexpr double kGyroscopic = 0.02;
 
 void warn_of_modes(const ModesResult& modes, const Structure& structure, const std::optional<double>& speed,
@@ -209,7 +208,7 @@ void warn_of_modes(const ModesResult& modes, const Structure& structure, const s
   }
 }
 
-/// What belongs to no single thread, but the orbit.
+/// Results that belong to no single thread, without the orbit.
 FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution& d, const LoadCase& load_case,
                      const Conditions& c, const Contacts& contacts) {
   FullLoads full;
@@ -227,7 +226,7 @@ FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution
   return full;
 }
 
-/// A contact that opens further than the other flank is away.
+/// Warns of contacts that open by more than the distance of the other flank.
 void warn_of_openings(const FullDistribution& d, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
                       std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {

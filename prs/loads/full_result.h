@@ -5,13 +5,13 @@
 
 namespace prs {
 
-/// What a load case of the full mechanism has in addition to the loads of its threads.
+/// Results of a load case of the full mechanism in addition to the loads of its threads.
 struct FullLoads {
   int freedoms = 0;
-  int rollers = 0;                   ///< Missing ones included.
+  int rollers = 0;                   ///< Number of rollers, missing ones included.
   double carrier_angle = 0.0;        ///< [rad]
-  std::vector<int> idle_rollers;     ///< From 1.
-  std::vector<int> missing_rollers;  ///< From 1.
+  std::vector<int> idle_rollers;     ///< Numbers from 1.
+  std::vector<int> missing_rollers;  ///< Numbers from 1.
   ScrewEnd screw_end;
   SupportForce nut;
   std::array<RingForce, 2> rings;
@@ -23,18 +23,18 @@ struct FullLoads {
   std::optional<ModesResult> modes;
 };
 
-/// The answer to a load case on all rollers. `push`: on each roller present, of bars and refined
-/// bodies; at this carrier angle only, so that an orbit is left out.
+/// Result of a load case on all rollers. `push`: on each present roller, for bars and refined bodies; valid at this
+/// carrier angle only, so that an orbit is left out.
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                            const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail,
                            const std::vector<RollerPush>& push = {});
 
-/// How a load case spreads over all rollers.
+/// Distribution of a load case over all rollers.
 FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                                    const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail,
                                    const std::vector<RollerPush>& push = {});
 
-/// A turn of the carrier under a load case, each position answered by `solved`.
+/// A turn of the carrier under a load case, with `solved` for each position.
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                  const PerInterface<ContactLaw>& laws,
                  const std::function<FullDistribution(double carrier_angle)>& solved, const SpatialLoad::Orbit& wanted);
@@ -43,11 +43,11 @@ Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts&
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                  const PerInterface<ContactLaw>& laws, FullSolver& solver, const SpatialLoad::Orbit& wanted);
 
-/// Whether a travel that was asked for came to its end.
+/// Whether a requested travel was completed.
 bool travels(const LoadCaseResult& result);
 
 Warning no_orbit(const Orbit::Failure& failure);
-/// Why a position of the carrier has no equilibrium, and which.
+/// Reason why a position of the carrier has no equilibrium, with the position.
 std::string text(const Orbit::Failure& failure);
 
 }  // namespace prs

@@ -27,7 +27,7 @@ constexpr std::string_view kContactResponses[] = {"contact.screw.normal_angle_de
                                                   "screw.peak_pressure_MPa.max",
                                                   "nut.peak_pressure_MPa.max"};
 
-/// Documents of more cases leave the histories out.
+/// Largest number of cases for which documents contain the histories.
 constexpr std::size_t kMostHistories = 100;
 
 std::vector<Place> joined(std::vector<Place> first, std::initializer_list<Place> others) {
@@ -305,7 +305,7 @@ std::string part_rows(const contact::MechanismGeometry& threads) {
   return rows;
 }
 
-// The contacts, one column per interface.
+// A row of the contacts, one column per interface.
 
 struct ContactRow {
   std::string_view key;
@@ -348,9 +348,9 @@ std::string contact_rows(const Contacts& contacts) {
   return rows;
 }
 
-// The load cases with equal shares, one row per interface.
+/// A thread's value under load, for load cases with equal shares, one row per interface: all threads of such a case
+/// have the same.
 
-/// A thread's value under load; all threads of such a case have the same.
 struct LoadColumn {
   std::string_view title;
   std::string_view key;
@@ -381,7 +381,7 @@ Number value(const LoadCaseResult& result, Interface i, const LoadColumn& column
   return values.empty() ? std::nullopt : Number(values.front());
 }
 
-/// All of them or, of long ranges, the first, middle and last.
+/// All load cases or, for long ranges, the first, middle and last.
 Cases shown_cases(const std::vector<LoadCaseResult>& results, std::size_t& count) {
   Cases shown;
   count = 0;

@@ -36,7 +36,7 @@ void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact, 
   }
 }
 
-/// Numbers of an interface whose normal loads and angle are set.
+/// Sets the numbers of an interface whose normal loads and angle are set.
 void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const Contacts& contacts, Interface i,
                          double cosine, simd::InstructionSet set, const LoadDetail& detail = {},
                          const contact::KnownApproach& known = {}) {
@@ -54,13 +54,13 @@ void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const
   if (detail.ellipses && contact.has_hertz()) add_hertz_contacts(loads, contact, set, known);
 }
 
-/// Load of threads that carry the same one by assumption.
+/// Load of each thread if all carry the same by assumption.
 double equal_normal_load(const LoadCase& load_case, const Mechanism& m, double psi) {
   const double contacts = static_cast<double>(m.rollers) * m.contacts_per_roller;
   return std::abs(load_case.axial_force) / contacts / std::cos(psi);
 }
 
-/// The most loaded thread's ellipse against the ends of the flanks.
+/// Compares the most loaded thread's ellipse with the ends of the flanks.
 void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& contacts, Interface i,
                                   const std::string& path, std::vector<Warning>& warnings) {
   if (loads.semi_major.empty()) return;
@@ -68,7 +68,7 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
       contact::ellipse_beyond_flanks(pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
                                      *std::max_element(loads.semi_major.begin(), loads.semi_major.end()),
                                      *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
-  constexpr double kUnseen = 1e-7;  // No flank ends that sharply [m].
+  constexpr double kUnseen = 1e-7;  // Smallest reported distance: real flanks do not end that sharply [m].
   for (const contact::FlankViolation& v : violations)
     if (v.by > kUnseen)
       warnings.push_back(Warning{

@@ -6,40 +6,40 @@
 
 namespace prs {
 
-/// The answer to a load case whose load distribution is solved: loads, ellipses and pressures of
-/// each thread, displacement and stiffness; the status alone where it did not converge.
+/// Result of a load case whose load distribution is solved: loads, ellipses and pressures of each thread, displacement
+/// and stiffness; only the status if it did not converge.
 LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
                              LoadDistribution distribution);
 
-/// Which numbers of the threads are wanted besides loads and approaches.
+/// Numbers of the threads to compute besides loads and approaches.
 struct LoadDetail {
   bool axial_load = true;
   bool load_rate = true;
-  bool ellipses = true;  ///< Semi-axes, pressures and what follows from them.
+  bool ellipses = true;  ///< Whether to compute semi-axes, pressures and derived values.
   bool tangent_stiffness = true;
 };
 
-/// The same into the result of that load case, which keeps its memory and exchanges it with the
-/// distribution's. What is not wanted is left empty.
+/// Fills the result of a load case, which keeps its memory and exchanges it with the distribution's. Parts not in
+/// `detail` are left empty.
 void set_solved_result(LoadCaseResult& result, const Contacts& contacts, const PerInterface<ContactLawNumbers>& laws,
                        LoadDistribution& distribution, simd::InstructionSet set, const LoadDetail& detail = {});
 
-/// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
+/// Result with equal thread loads by assumption; approaches follow if the Hertz constants are known.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
                                   const PerInterface<double>& normal_angle,
                                   const PerInterface<std::optional<double>>& hertz_constant);
 
-/// The same into the result of that load case, which keeps its memory. What is not wanted is left
+/// Fills the result of a load case with equal thread loads, which keeps its memory. Parts not in `detail` are left
 /// empty.
 void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, const PerInterface<double>& normal_angle,
                             const PerInterface<std::optional<double>>& hertz_constant, simd::InstructionSet set,
                             const LoadDetail& detail = {});
 
-/// Equal loads with the laws of a load distribution.
+/// Result with equal thread loads and the laws of a load distribution.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
                                   const PerInterface<ContactLaw>& laws);
 
-/// Result of equal shares with the laws that the geometry gives; the contacts must exist.
+/// Result with equal thread loads and the laws from the geometry; the contacts must exist.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts);
 void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, simd::InstructionSet set,
                             const LoadDetail& detail = {});
@@ -47,7 +47,7 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, si
 /// Adds warnings: open threads, high pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);
 
-/// The warning on a peak pressure [Pa] of an interface above its limit.
+/// Warning on a peak pressure [Pa] of an interface above its limit.
 std::optional<Warning> static_pressure_warning(std::string path, Interface i, double peak_pressure,
                                                const Contacts& contacts);
 
@@ -55,9 +55,9 @@ std::optional<Warning> static_pressure_warning(std::string path, Interface i, do
 /// bearing steel that run above about 2.5 GPa have a short life, whatever their static safety.
 inline constexpr double kRunningPressureLimit = 2.5e9;
 
-/// A warning where the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`;
-/// none above its limit, which has a warning of its own, or where no limit is known. `slip`, `life` and, with a
-/// speed, `measures` give it: `solve` does not know whether the screw turns under the load.
+/// Warning if the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`; none above the static
+/// limit, which has its own warning, or if no limit is known. Given by `slip`, `life` and, with a speed, `measures`:
+/// `solve` does not know whether the screw turns under the load.
 std::optional<Warning> running_pressure_warning(std::string path, Interface i, double peak_pressure,
                                                 const Contacts& contacts);
 

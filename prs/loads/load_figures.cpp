@@ -43,10 +43,10 @@ const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& opt
 
 namespace {
 
-/// The case that stands for a group: the last, which has the full load of a range.
+/// Representative case of a group: the last, which has the full load of a range.
 const LoadCaseResult& representative(const CaseGroup& group) { return *group.cases.back(); }
 
-/// Those that the options name, each by itself; else all, ranges by their largest loads.
+/// Configurations that the options name, each separate; else all, ranges by their largest loads.
 std::vector<LoadedConfiguration> configurations(const Result& result, const FigureOptions& options,
                                                 bool (*keep)(const LoadCaseResult&)) {
   if (options.load_cases.empty()) return loaded_configurations(result.load_cases, 1, keep);
@@ -59,7 +59,7 @@ std::vector<LoadedConfiguration> configurations(const Result& result, const Figu
   return all;
 }
 
-/// Names the force where all lines have the same.
+/// Text with the force if all lines have the same.
 std::string common_force(const std::vector<LoadedConfiguration>& all) {
   const auto force = [](const CaseGroup& g) { return representative(g).load_case.axial_force; };
   const double first = force(all.front().groups.front());
@@ -190,7 +190,7 @@ bool is_solved(const LoadCaseResult& result) {
 
 bool has_stiffness(const LoadCaseResult& result) { return result.load_case.direction && result.axial_stiffness; }
 
-/// One panel for each direction; `draw` adds the lines of a sweep, the c-th of them.
+/// Figure with one panel for each direction; `draw` adds the lines of a sweep, the c-th of them.
 Figures over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps, const auto& draw) {
   if (sweeps.empty()) return {};
   figure.x = {"Axial load", "kN", 0.0, 0.0};
@@ -206,12 +206,12 @@ Figures over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps,
   return {std::move(figure)};
 }
 
-/// Ranges of loads: a single load is no curve.
+/// Configurations with ranges of loads: a single load is no curve.
 std::vector<LoadedConfiguration> sweeps_of(const Result& result) {
   return loaded_configurations(result.load_cases, kMinSweepPoints, has_stiffness);
 }
 
-/// How a thread of a butterfly stands out (Abevi 2015, figs. 15-18).
+/// Emphasis of a thread in a butterfly (Abevi 2015, figs. 15-18).
 struct ThreadRole {
   const char* title;
   Style style;
@@ -420,18 +420,18 @@ using enum Picture::Drawn;
 
 constexpr const char* kRange = "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal shares";
 
-/// Some solve has not converged: how it went is then the answer.
+/// Whether a solve has not converged: its iterations are then shown.
 bool has_failed(const Result& r) {
   return std::ranges::any_of(r.load_cases, [](const LoadCaseResult& c) { return !c.converged(); });
 }
 
-/// A single thread carries all: its picture is a dot.
+/// Whether there are several threads: a single one would be a dot.
 bool has_several_threads(const Result& r) {
   return std::ranges::any_of(
       r.load_cases, [](const LoadCaseResult& c) { return c.threads && c.threads->screw.axial_load.size() > 1; });
 }
 
-/// Titles name the loads that figures stand on where a screw runs.
+/// Pictures with titles that name the loads of the figures if the screw runs.
 Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
   const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
   if (std::ranges::none_of(r.load_cases, runs)) return pictures;
@@ -469,7 +469,7 @@ bool has_turn(const LoadCaseResult& result) { return has_rollers(result) && resu
 
 Axis roller_axis(int rollers) { return {"Roller", {}, 0.5, rollers + 0.5, false, true}; }
 
-/// Rollers over threads, unrolled, of values in shown units.
+/// Map of rollers over threads, unrolled, of values in shown units.
 GridData unrolled(const std::vector<double>& of_threads, int threads_per_roller) {
   GridData grid;
   const auto threads = static_cast<std::size_t>(threads_per_roller);
@@ -481,7 +481,7 @@ GridData unrolled(const std::vector<double>& of_threads, int threads_per_roller)
   return grid;
 }
 
-/// Rollers that are not there have no colour, not that of zero.
+/// Removes the colours of missing rollers, which would be that of zero.
 void without_missing(Panel& panel, const FullLoads& full) {
   GridData& grid = panel.map.grid;
   for (const int roller : full.missing_rollers) {
@@ -492,7 +492,7 @@ void without_missing(Panel& panel, const FullLoads& full) {
   }
 }
 
-/// From the least to the largest value of all load cases, so that their pictures compare.
+/// Range of the values of all load cases, to make their pictures comparable.
 Range range_of(const Result& result, const OfThreads& of) {
   Range range;
   for (const LoadCaseResult& load_case : result.load_cases)
@@ -561,7 +561,7 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   Series rollers{figure.add(area_of(colour_of(Part::roller)))};
   const std::vector<double>& share = shown->threads->screw.rollers->share;
   const int count = shown->full->rollers;
-  Range range;  // The same in all load cases.
+  Range range;  // Range of all load cases.
   for (const LoadCaseResult& load_case : result.load_cases)
     if (has_rollers(load_case))
       for (const double part : load_case.threads->screw.rollers->share)
@@ -579,7 +579,7 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
     rollers.values.push_back(percent);
   }
   panel.series.push_back(std::move(rollers));
-  constexpr double kUsual = 150.0;  // So that equal shares do not look like a peak.
+  constexpr double kUsual = 150.0;  // Smallest upper end, so that equal shares do not look like a peak.
   figure.colours =
       ColourScale{"Share of the roller", "% of equal shares", std::min(0.0, range.from), std::max(kUsual, range.to)};
   const double reach = 1.25 * nut;
@@ -591,7 +591,7 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   return {std::move(figure)};
 }
 
-/// Largest thread load of the first roller that is there over a turn of the carrier.
+/// Largest thread load of the first present roller over a turn of the carrier.
 Figures carrier_turn(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_turn);
   if (!shown) return {};
@@ -605,7 +605,7 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
     Polyline line;
     for (std::size_t m = 0; m < orbit.carrier_angle.size(); ++m)
       line.push_back({orbit.carrier_angle[m] * per_si::degree, orbit.loads[i].first_roller[m]});
-    line.push_back({line.front()[0] + kTurn, line.front()[1]});  // Where it began.
+    line.push_back({line.front()[0] + kTurn, line.front()[1]});  // Repeats the first position.
     panel.series.push_back({figure.add(interface_title(i), line_of(colour_of(body_of(i)),
                                                                    i == Interface::nut ? Dash::dashed : Dash::solid)),
                             {std::move(line)}});
@@ -613,7 +613,7 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   const double start = panel.series.front().parts.front().front()[0];
   figure.x = {"Angle of the carrier", "°", start, start + kTurn};
   for (double turned = 0.0; turned <= kTurn; turned += 60.0) figure.x.ticks.push_back({start + turned});
-  // The first that is there.
+  // First present roller.
   const std::vector<int>& missing = shown->full->missing_rollers;
   int roller = 1;
   while (std::ranges::count(missing, roller) > 0) ++roller;

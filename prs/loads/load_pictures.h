@@ -11,14 +11,13 @@ double signed_kN(const LoadCaseResult& result);
 /// The load cases that the options choose. Throws NoFigure.
 std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOptions& options);
 
-/// The case that the options choose, else of those that `has` says have what is needed that of the
-/// largest force, among equals that with the largest load of a thread; else none.
+/// The case that the options choose, else, of those for which `has` is true, the one with the largest force, among
+/// equals with the largest load of a thread; null if there is none.
 const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& options,
                                   bool (*has)(const LoadCaseResult&));
 
-// Pictures over the threads of load cases, for the analyses that add to their results.
+/// Quantity compared over the threads, for pictures of analyses that add to the results of load cases.
 
-/// What the threads are compared by.
 struct ThreadPlot {
   const char* name;
   const char* title;
@@ -27,21 +26,21 @@ struct ThreadPlot {
   const std::vector<double>& (*values)(const LoadCaseResult&, Interface);
   double factor;
   bool (*keep)(const LoadCaseResult&);
-  /// A dashed level of the colour of its line, where a case has one.
+  /// Value of a dashed line in the colour of the case's line, if there is one.
   std::optional<double> (*level)(const LoadCaseResult&, Interface) = nullptr;
 };
 
-/// A row of panels a direction, one column per interface, one line per configuration; none without
-/// a load case that `keep` holds of.
+/// Figure with a row of panels per direction, one column per interface, one line per configuration; none without a load
+/// case for which `keep` is true.
 std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options);
 
-/// Whether one roller stands for all.
+/// Whether one roller represents all.
 bool has_shares(const LoadCaseResult& result);
 
-/// The figure with values from zero on; none of none.
+/// The figure with values from zero on; none if there is no figure.
 Figures from_zero(std::optional<Figure> figure);
 
-/// A thread of a load case; its number counts over all rollers, from 0.
+/// A thread of a load case; its index counts over all rollers, from 0.
 struct ChosenThread {
   const LoadCaseResult* load_case = nullptr;
   std::size_t thread = 0;
@@ -50,35 +49,34 @@ struct ChosenThread {
   bool has_ellipse(Interface i) const { return thread < at(i).semi_minor.size() && at(i).semi_minor[thread] > 0.0; }
 };
 
-/// The one that the options name, else the most loaded; none without a load case that `has` holds
-/// of.
+/// The thread that the options name, else the most loaded; none without a load case for which `has` is true.
 std::optional<ChosenThread> chosen_thread(const Result& result, const FigureOptions& options,
                                           bool (*has)(const LoadCaseResult&));
 
-/// Whether it is solved with all rollers.
+/// Whether the case is solved with all rollers.
 bool has_rollers(const LoadCaseResult& result);
 
-/// A quantity of every thread of every roller, in shown units, and which load cases have it.
+/// A quantity of every thread of every roller, in shown units, and the load cases that have it.
 struct OfThreads {
   bool (*has)(const LoadCaseResult&);
   const std::vector<double>& (*values)(const LoadCaseResult&, Interface);
 };
 
-/// A map of all rollers for each interface, of the load case that the options choose.
+/// A map of all rollers for each interface, for the load case that the options choose.
 Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
                        const OfThreads& of);
 
 /// Pictures of travels and modes.
 Pictures motion_pictures(const Result& result);
 
-// What each command can show. The result must outlive the list.
+// Pictures of each command. The result must outlive the list.
 Pictures contact_pictures(const Result& result);
 Pictures solve_pictures(const Result& result, bool butterflies_of_load = false);
 /// Sections of the threads through their contacts, and the contact ellipses.
 Pictures contact_drawings(const Result& result);
 /// Pictures of all rollers; full mechanism only.
 Pictures roller_pictures(const Result& result);
-/// Drawings of the mechanism, asked for by their names alone.
+/// Drawings of the mechanism, made by name only.
 Pictures drawings(const Case& c, const Result& result);
 Pictures with_drawings(Pictures pictures, const Case& c, const Result& result);
 

@@ -13,7 +13,7 @@ namespace prs {
 
 std::optional<std::string> factorization(const LoadCaseResult& r) {
   if (!r.solve || r.solve->history.empty()) return std::nullopt;
-  // `influence`, which knows no energy.
+  // `influence`, which computes no energy.
   if (std::isnan(r.solve->history.back().energy)) {
     const std::string eigen = fe::eigen_factorization_name();
     return eigen.substr(0, eigen.find(',')) + ", dense LU";
@@ -100,7 +100,7 @@ constexpr Quantity<NewtonIteration> kNewtonIteration[] = {
     {"shift", of<&NewtonIteration::shift>, "added to the diagonal so that it can be solved"},
 };
 
-/// Getter of what solving found; none of load cases in which nothing is solved.
+/// Getter of results of solving; none for load cases that are not solved.
 template <auto get>
 constexpr auto of_solve =
     of<[](const LoadCaseResult& r) { return r.solve ? std::optional(std::invoke(get, *r.solve)) : std::nullopt; }>;
@@ -109,7 +109,7 @@ template <Interface i>
 constexpr auto of_loads =
     of<[](const LoadCaseResult& r) { return r.threads ? &(*r.threads)[i] : nullptr; }, &LoadCaseResult::converged>;
 
-/// Getter of what the guides of all rollers have; none without a clearance.
+/// Getter of values of the guides of all rollers; none without a clearance.
 template <std::array<double, 4> GuideLoads::*values>
 constexpr auto of_guides = of<[](const LoadCaseResult& r) {
   return r.guides.empty() ? std::nullopt : std::optional(roller_after_roller(r.guides, values));
@@ -118,7 +118,7 @@ constexpr auto of_guides = of<[](const LoadCaseResult& r) {
 /// One flank of a nut under preload.
 struct FlankOf {
   const LoadCaseResult* result = nullptr;
-  bool named = true;  ///< By the direction of the load.
+  bool named = true;  ///< Whether it is the flank named by the direction of the load.
 };
 
 struct FlankSide {
@@ -452,14 +452,14 @@ constexpr auto von_mises = of<[](const ContactAt& c) { return (*c.contact().von_
 
 std::array<double, 3> components(const contact::Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// Acute angle of the major axis from the first principal direction of a part.
+/// Acute angle between the major axis and the first principal direction of a part.
 template <contact::PrincipalValues contact::InterfaceGeometry::*part>
 constexpr auto angle_to_major_axis = of<[](const ContactAt& c) {
   const contact::InterfaceGeometry& g = c.contact().geometry;
   return std::abs(std::remainder((g.*part).angle - g.relative.angle, std::numbers::pi));
 }>;
 
-/// The contact of tension; z from the origin of the roller's surface (Sandu 2018, (1.22)).
+/// Contact point for tension; z from the origin of the roller's surface (Sandu 2018, (1.22)).
 std::array<double, 3> position(const ContactAt& c) {
   const contact::ContactPoint& p = c.contact().geometry.point;
   const contact::ThreadSurface roller(c.contacts->threads.roller);

@@ -17,46 +17,46 @@ Record<ModesResult> record_of(Type<ModesResult>);
 Record<fe::NewtonIteration> record_of(Type<fe::NewtonIteration>);
 Record<LoadCaseResult> record_of(Type<LoadCaseResult>);
 
-/// How the solve of a case ended; equal shares need no solve and count as converged.
+/// Outcome of the solve of a case; equal shares need no solve and count as converged.
 inline std::string_view status_name(const LoadCaseResult& result) {
   if (result.running) return name(result.running->status);
   return fe::name(result.solve ? result.solve->status : fe::NewtonStatus::converged);
 }
 
-/// Index of the largest value; absent where there is none.
+/// Index of the largest value; absent if there is none.
 inline std::optional<std::size_t> index_of_largest(const std::vector<double>& values) {
   if (values.empty()) return std::nullopt;
   const auto largest = std::max_element(values.begin(), values.end());
   return static_cast<std::size_t>(largest - values.begin());
 }
 
-/// The entry of a thread; absent where the list has none.
+/// Entry of a thread; absent if the list has none.
 inline std::optional<double> entry(const std::vector<double>& values, std::optional<std::size_t> thread) {
   return thread && *thread < values.size() ? std::optional(values[*thread]) : std::nullopt;
 }
 
-/// Which model of the bodies the loads were solved with, and what it is known to be off by.
+/// Model of the bodies with which the loads were solved, and its known error.
 struct ModelSummary {
   const Result* result = nullptr;
 };
 
 Record<ModelSummary> record_of(Type<ModelSummary>);
 
-/// The same as a line for the terminal; empty where nothing was solved.
+/// The model as a line for the terminal; empty if nothing was solved.
 std::string model_line(const Result& result);
 
-/// Whether the loads of some load case were solved for.
+/// Whether the loads of any load case were solved.
 bool has_solved(const Result& result);
 
-/// What the model is known to be off by, at the full load of lesson 1's screw against finite
-/// elements (docs/refined.md, docs/influence.md); empty where it was changed for comparison.
+/// Known error of the model at the full load of lesson 1's screw against finite elements (docs/refined.md,
+/// docs/influence.md); empty for a model that was changed for comparison.
 std::string_view known_bias(const ModelOptions& model);
 
 /// A number of each part as documents show it, of all rollers together.
 struct PartNumbers {
   double screw = 0.0, rollers = 0.0, nut = 0.0;
 };
-/// Those over time.
+/// Numbers of each part over time.
 struct PartSeries {
   std::vector<double> screw, rollers, nut;
 };
@@ -77,21 +77,20 @@ Record<InterfaceNumbers> record_of(Type<InterfaceNumbers>);
 Record<HeatResult> record_of(Type<HeatResult>);
 Record<HeatCycle> record_of(Type<HeatCycle>);
 
-/// One interface's contact, among what else is known of the threads.
+/// Contact of one interface, with related data of the threads.
 struct ContactAt {
   const Contacts* contacts = nullptr;
   Interface interface = Interface::screw;
 
   const InterfaceContact& contact() const { return contacts->interfaces[interface]; }
-  /// Whether the backlash means something.
+  /// Whether the pitches are equal, so that backlash is defined.
   bool same_pitch() const {
     const contact::MechanismGeometry& threads = contacts->threads;
     return contact::same_pitch(interface == Interface::screw ? threads.screw : threads.nut, threads.roller);
   }
 };
 
-// One value per part, interface or sense of the load; their unit is that of the key they stand
-// under.
+// One value per part, interface or sense of the load; the unit is that of the enclosing key.
 Record<PerPart<double>> record_of(Type<PerPart<double>>);
 Record<PerPart<std::array<double, 2>>> record_of(Type<PerPart<std::array<double, 2>>>);
 Record<PerInterface<double>> record_of(Type<PerInterface<double>>);
@@ -101,7 +100,7 @@ Record<PerDirection<std::optional<double>>> record_of(Type<PerDirection<std::opt
 Record<ContactAt> record_of(Type<ContactAt>);
 Record<Contacts> record_of(Type<Contacts>);
 Record<ThreadWidths> record_of(Type<ThreadWidths>);
-/// The threads by themselves.
+/// Threads by themselves.
 Record<contact::MechanismGeometry> record_of(Type<contact::MechanismGeometry>);
 
 }  // namespace prs

@@ -22,7 +22,7 @@ Teeth teeth_of(const contact::Thread& thread, double flank_angle) {
           limits.largest * kMm, std::tan(flank_angle)};
 }
 
-/// From `from` to `to` along the axis, a tooth in the middle at `tooth`: (x, radius).
+/// Outline from `from` to `to` along the axis, with the middle of a tooth at `tooth`: (x, radius).
 Polyline tooth_outline(const Teeth& t, double tooth, double from, double to) {
   Polyline line;
   const auto add = [&](double x, double r) { line.push_back({std::clamp(x, from, to), r}); };
@@ -38,7 +38,7 @@ Polyline tooth_outline(const Teeth& t, double tooth, double from, double to) {
 
 /// Places along the nut's axis [mm].
 struct SectionPlace {
-  double first = 0.0;  ///< The roller's first contact.
+  double first = 0.0;  ///< Position of the roller's first contact.
   double pitch = 0.0;
   int contacts = 0;
   double nut_length = 0.0;
@@ -63,7 +63,7 @@ SectionPlace place_of(const Case& c, const Result& result, const LoadCaseResult*
 }
 
 Polyline nut_outline(const Case& c, const SectionPlace& p, const Teeth& groove) {
-  // The nut's teeth stand where the air between them is thin.
+  // The nut's teeth are where the air between them is thin.
   Polyline line = tooth_outline(groove, p.first, 0.0, p.nut_length);
   const double shell = groove.crest + std::max(2.0 * p.pitch, 0.15 * groove.crest);
   const auto outer = [&](double x) {
@@ -91,7 +91,7 @@ Polyline closed_below(Polyline line, double y) {
   return line;
 }
 
-/// The roller with its ends, on its axis at y.
+/// Outline of the roller with its ends, on its axis at y.
 Polyline roller_outline(const Case& c, const SectionPlace& p, const Teeth& t, double y) {
   const double from = p.first - 0.5 * p.pitch, to = p.last() + 0.5 * p.pitch;
   Polyline line;
@@ -118,7 +118,7 @@ Polyline contact_bar(const Teeth& t, Interface i, Direction direction, double to
   const double flank = (i == Interface::screw) == (direction == Direction::tension) ? 1.0 : -1.0;
   const double x = tooth + flank * 0.25 * t.pitch, y = axis + points * t.radius;
   const double norm = std::hypot(1.0, t.slope);
-  const double ax = -flank * points * t.slope / norm, ay = 1.0 / norm;  // Along the flank.
+  const double ax = -flank * points * t.slope / norm, ay = 1.0 / norm;  // Components along the flank.
   const double a = 0.38 * t.pitch, b = 0.16 * t.pitch;
   const auto corner = [&](double along, double across) {
     return std::array{x + along * ax - across * ay, y + along * ay + across * ax};
@@ -128,7 +128,7 @@ Polyline contact_bar(const Teeth& t, Interface i, Direction direction, double to
 
 bool is_shown(const LoadCaseResult& r) { return r.threads.has_value(); }
 
-/// The roller with the largest load, from 0.
+/// Index of the roller with the largest load.
 std::size_t shown_roller(const LoadCaseResult& r) {
   return r.full ? static_cast<std::size_t>(r.threads->screw.rollers->largest_roller - 1) : 0;
 }
@@ -136,7 +136,7 @@ std::size_t shown_roller(const LoadCaseResult& r) {
 constexpr const char* kRelativeLoad = "Load over that of equal shares";
 
 ColourScale scale_of(const Range& range) {
-  constexpr double kUsual = 1.5;  // So that equal shares do not look like a peak.
+  constexpr double kUsual = 1.5;  // Smallest upper end, so that equal shares do not look like a peak.
   return {kRelativeLoad, {}, std::min(0.0, range.from), std::max(kUsual, range.to)};
 }
 
@@ -149,15 +149,15 @@ void add_body(Figure& figure, Panel& panel, Part part, std::vector<Polyline> par
 
 Polyline circle(double y, double z, double r) { return ellipse(y, z, r, r, 0.0); }
 
-/// How many there are: `11 rollers`, or `10 of 11 rollers` where some are missing.
+/// Number of rollers: `11 rollers`, or `10 of 11 rollers` if some are missing.
 std::string rollers_text(const Case& c) {
   const int places = c.mechanism.rollers;
   const int missing = static_cast<int>(c.deviations.missing_rollers.size());
   return missing == 0 ? fmt::format("{} rollers", places) : fmt::format("{} of {} rollers", places - missing, places);
 }
 
-/// What a drawing is read by: sizes in the bodies, the length of the nut between arrows. `top` is
-/// the nut's radius with its flanges.
+/// Adds dimensions: sizes in the bodies, the length of the nut between arrows. `top` is the nut's radius with its
+/// flanges.
 void add_sizes(Figure& figure, Panel& panel, const Case& c, const SectionPlace& p, double axis,
                const contact::MechanismGeometry& threads, double top) {
   const double middle = 0.5 * p.nut_length;
@@ -184,7 +184,7 @@ void add_sizes(Figure& figure, Panel& panel, const Case& c, const SectionPlace& 
   add(middle, 1.14 * top, fmt::format("{:.5g}", p.nut_length));
 }
 
-/// What holds the parts under this load. `roller` is the radius at its pitch.
+/// Adds the supports of the parts under this load. `roller` is the radius at its pitch.
 void add_supports(Figure& figure, Panel& panel, const Case& c, const SectionPlace& p, double axis, double roller,
                   const LoadCaseResult* shown) {
   if (!c.structure) return;
@@ -194,7 +194,7 @@ void add_supports(Figure& figure, Panel& panel, const Case& c, const SectionPlac
     if (const auto& thrust = *direction == Direction::tension ? s.nut.thrust.tension : s.nut.thrust.compression) {
       const auto [before, behind] = nut_diameters_at(s.nut, *thrust);
       const double x = *thrust * kMm, outer = 0.5 * std::max(before, behind) * kMm;
-      const double from = axis + roller;  // No line crosses the roller's words.
+      const double from = axis + roller;  // Starts outside the roller, so that no line crosses its text.
       panel.series.push_back(
           {figure.add("section where the nut is held", line_of(Colour::ink, Dash::dashed, Weight::strong)),
            {{{x, from}, {x, 1.04 * outer}}}});
@@ -209,7 +209,7 @@ void add_supports(Figure& figure, Panel& panel, const Case& c, const SectionPlac
   panel.series.push_back(std::move(bearings));
 }
 
-/// An arrow along x with a head that is seen in a small print. `point` is a pixel of the screen.
+/// An arrow along x with a head that is visible in a small print. `point` is a pixel of the screen.
 Polyline arrow(double from, double to, double y, double point) {
   const double shaft = 1.3 * point, head = 6.0 * point;
   const double base = to + std::copysign(18.0 * point, from - to);
@@ -217,10 +217,10 @@ Polyline arrow(double from, double to, double y, double point) {
           {base, y + head},  {base, y + shaft}, {from, y + shaft}};
 }
 
-/// The force on the screw, at its loaded end, with room for its words.
+/// Adds the force on the screw, at its loaded end, with room for its text.
 void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCaseResult& shown, double top) {
   const double span = p.screw_to - p.screw_from, height = figure.y.to - figure.y.from;
-  const bool is_short = 2.0 * height > 1.17 * span;  // Pages draw it half as wide then.
+  const bool is_short = 2.0 * height > 1.17 * span;  // Pages then draw it half as wide.
   const double room = (is_short ? 0.45 : 0.17) * span, near = p.screw_from - 0.1 * room;
   const double far = near - 0.9 * room, point = (span + room) / (is_short ? 350.0 : 790.0);
   const double above = std::max(0.09 * top, 14.0 * point);
@@ -236,10 +236,10 @@ void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCas
   figure.x.from = far - 0.1 * room;
 }
 
-/// Seen along the axis.
+/// Adds a part seen along the axis.
 void add_ring(Figure& figure, Panel& panel, Part part, double outer, double inner) {
   if (!(inner > 0.0)) return add_body(figure, panel, part, {circle(0, 0, outer)});
-  // Round the outside, back along a seam, round the inside.
+  // Path around the outside, back along a seam, around the inside.
   Polyline ring = circle(0, 0, outer), inside = circle(0, 0, inner);
   ring.insert(ring.end(), inside.rbegin(), inside.rend());
   Style pale = area_of(colour_of(part));
@@ -257,9 +257,8 @@ const LoadCaseResult* case_shown(const Result& result, const FigureOptions& opti
   return result.load_cases.empty() ? nullptr : chosen_case(result, options, is_shown);
 }
 
-/// Screw, a roller and nut cut along the axis, true to scale, with sizes in mm, what holds them and
-/// the load on the screw; the contacts have the colours of their loads. Of a full mechanism the
-/// roller with the largest load.
+/// Screw, a roller and nut cut along the axis, to scale, with sizes in mm, supports and the load on the screw; the
+/// contacts have the colours of their loads. For a full mechanism the roller with the largest load.
 Figures mechanism_section(const Case& c, const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = case_shown(result, options);
   const SectionPlace p = place_of(c, result, shown);
@@ -314,8 +313,7 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
   return {std::move(figure)};
 }
 
-/// The rollers between screw and nut, seen along the axis; those of a full mechanism with the
-/// colours of their shares.
+/// Rollers between screw and nut, seen along the axis; those of a full mechanism in the colours of their shares.
 Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = case_shown(result, options);
   const contact::MechanismGeometry& threads = result.contacts.threads;
@@ -341,7 +339,7 @@ Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& 
     if (!all) continue;
     shares.push_back(shown->threads->screw.rollers->share[static_cast<std::size_t>(j)] * rollers);
   }
-  for (const LoadCaseResult& load_case : result.load_cases)  // One scale for their pictures.
+  for (const LoadCaseResult& load_case : result.load_cases)  // All pictures share one scale.
     if (load_case.full && load_case.threads)
       for (const double share : load_case.threads->screw.rollers->share) range.include(share * rollers);
   if (all) {
@@ -405,7 +403,7 @@ Figures thread_pressure(const Result& result, const FigureOptions& options) {
     panel.title = fmt::format("{}: {:.4g} N", interface_title(i), loads.normal_load[chosen->thread]);
     Series series{rings};
     for (int k = 0; k < kRings; ++k) {
-      // Rings of equal steps of pressure, each in the colour of its middle.
+      // Rings of equal steps of pressure, each in the colour of its middle value.
       const double outside = std::sqrt(1.0 - std::pow(static_cast<double>(k) / kRings, 2));
       series.parts.push_back(ellipse(0.0, 0.0, outside * a, outside * b, 0.0));
       series.values.push_back(peak * (k + 0.5) / kRings);
@@ -431,7 +429,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
   const auto chosen = chosen_thread(result, options, has_threads);
   if (!chosen || !c.materials) return {};
   constexpr int kSteps = 60;
-  constexpr double kDepth = 3.0;  // Over the minor semi-axis.
+  constexpr double kDepth = 3.0;  // Depth over the minor semi-axis.
   Figure figure{"thread_stress", picture_title("Stress below the contacts", *chosen)};
   const std::size_t normal = figure.add("along the normal", line_of(Colour::blue));
   const std::size_t major = figure.add("along the major axis", line_of(Colour::green));

@@ -10,7 +10,7 @@ constexpr Colour kColours[] = {Colour::blue,   Colour::vermillion, Colour::green
                                Colour::purple, Colour::orange,     Colour::sky};
 Style line_number(std::size_t k) { return line_of(kColours[k % std::size(kColours)]); }
 
-/// Above rounding: without errors that turn a travel shows nothing.
+/// Whether deviations are above rounding: a travel without turning errors shows nothing.
 bool has_travel(const LoadCaseResult& r) {
   if (!r.full || !r.full->travel || !r.full->travel->converged()) return false;
   const auto [least, most] = std::ranges::minmax(r.full->travel->displacement);
@@ -56,7 +56,7 @@ Figures travel_deviation(const Result& result, const FigureOptions& options) {
   return {std::move(figure)};
 }
 
-/// The simplest sum of multiples of turn, carrier and spin that comes within half a line.
+/// The simplest sum of multiples of turn, carrier and spin within half a line.
 std::string combination(double order, double resolution, const std::vector<MotionOrder>& base) {
   const double carrier = base[1].order, spin = base[3].order;
   int least = 10;
@@ -181,7 +181,7 @@ Figures mode_shapes(const Result& result, const FigureOptions& options) {
   return {std::move(figure)};
 }
 
-/// Frequencies, each a line over x of the columns.
+/// Adds frequencies, each a line over x of the columns.
 Figure frequency_lines(Figure figure, const std::vector<std::pair<double, std::vector<double>>>& at) {
   constexpr std::size_t kMost = 12;
   Panel panel;
@@ -231,7 +231,7 @@ Figures campbell(const Result& result, const FigureOptions& options) {
   Figure figure = figure_of("campbell", "Speeds at which orders meet natural frequencies", *shown);
   const std::size_t modes = std::min(m.modes.size(), kMost);
   const auto [slowest, fastest] = std::ranges::minmax(m.orders, {}, &MotionOrder::order);
-  const double speed = 1.2 * 60.0 * m.modes[0].frequency / slowest.order;  // Every order meets the lowest one.
+  const double speed = 1.2 * 60.0 * m.modes[0].frequency / slowest.order;  // Every order crosses the lowest frequency.
   const double highest = std::min(1.1 * m.modes[modes - 1].frequency, speed / 60.0 * fastest.order);
   Panel panel;
   for (std::size_t k = 0; k < m.orders.size(); ++k) {

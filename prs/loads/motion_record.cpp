@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::string_view kIso = "ISO 3408-3, names of its actual values";
 
-/// Getter of travels whose positions all have an equilibrium.
+/// Getter for travels that have an equilibrium at all positions.
 template <auto get>
 constexpr auto travelled = of<get, &TravelResult::converged>;
 
@@ -152,7 +152,7 @@ constexpr Quantity<AlongAxes> kAlongAxes[] = {
     {"z", of<&AlongAxes::z>, "across it"},
 };
 
-/// A mode with what belongs to all.
+/// A mode with the data common to all.
 struct ModeOf {
   const ModesResult* all;
   const Mode* mode;

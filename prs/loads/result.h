@@ -9,41 +9,41 @@
 
 namespace prs {
 
-/// How an interface of the full mechanism spreads its load over the rollers.
+/// Distribution of the load of an interface over the rollers of a full mechanism.
 struct RollerShares {
   std::vector<double> share;         ///< Share of the axial load, one per roller; missing ones 0.
   double largest_normal_load = 0.0;  ///< [N]
   int largest_roller = 0;            ///< Roller with the largest load, from 1.
   int largest_thread = 0;
-  double overload_factor = 0.0;  ///< Largest load over that of the same screw loaded symmetrically.
-  int unloaded_threads = 0;      ///< Unloaded threads of the rollers that are present.
-  int missing = 0;               ///< Rollers that are not there.
+  double overload_factor = 0.0;  ///< Largest load over that of the same screw under symmetric load.
+  int unloaded_threads = 0;      ///< Number of unloaded threads of the present rollers.
+  int missing = 0;               ///< Number of missing rollers.
 };
 
 struct FullLoads;
 
-/// Share of a thread where there is no load.
+/// Share of a thread if there is no load.
 inline constexpr double kNoShare = std::numeric_limits<double>::quiet_NaN();
 
-/// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
-/// screw, stands first. Of a full mechanism roller after roller. SI units.
+/// Per-thread results of one interface of one roller, starting with thread 1 next to the loaded end of the screw. For a
+/// full mechanism roller after roller. SI units.
 struct InterfaceLoads {
-  int threads_per_roller = 0;  ///< Threads per roller of a full mechanism; 0: one roller stands for all.
+  int threads_per_roller = 0;  ///< Threads per roller of a full mechanism; 0: one roller represents all.
   std::optional<RollerShares> rollers;
-  std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
-  double normal_angle = 0.0;             ///< As used in the solve [rad].
+  std::optional<double> hertz_constant;  ///< Constant used in the solve [N/m^1.5].
+  double normal_angle = 0.0;             ///< Angle used in the solve [rad].
   std::vector<double> axial_load;        ///< Sum of normal load and friction along the axis [N].
-  std::vector<double> normal_load;       ///< At rest axial / cos psi [N].
+  std::vector<double> normal_load;       ///< Normal load; at rest axial / cos psi [N].
   std::vector<double> load_rate;         ///< l_v = axial load / (force/rollers), Abevi (3) [-]
   std::vector<double> approach;          ///< delta [m]
-  std::vector<double> semi_major;        ///< Empty where the geometry gives no contact.
+  std::vector<double> semi_major;        ///< Semi-axes; empty if the geometry gives no contact.
   std::vector<double> semi_minor;
   std::vector<double> peak_pressure;         ///< [Pa]
-  std::vector<double> max_shear_stress;      ///< Largest below the surface [Pa].
-  std::vector<double> max_shear_depth;       ///< Depth at which it acts, for the case depth [m].
-  std::vector<double> max_von_mises_stress;  ///< Largest below the surface [Pa].
-  std::vector<double> max_von_mises_depth;   ///< Depth at which it acts [m].
-  // Of a running screw:
+  std::vector<double> max_shear_stress;      ///< Largest value below the surface [Pa].
+  std::vector<double> max_shear_depth;       ///< Depth of this value, for the case depth [m].
+  std::vector<double> max_von_mises_stress;  ///< Largest value below the surface [Pa].
+  std::vector<double> max_von_mises_depth;   ///< Depth of this value [m].
+  // Friction of a running screw.
   std::optional<FrictionForces> friction;
   std::optional<double> running_over_static;  ///< Largest normal load over that at rest.
 };
@@ -52,23 +52,22 @@ struct InterfaceLoads {
 struct FlankThreads {
   std::vector<double> normal_load;  ///< [N]
   std::vector<double> axial_load;   ///< Sum of normal load and friction along the axis [N].
-  std::vector<double> power;        ///< Power that friction takes, with slip [W].
+  std::vector<double> power;        ///< Friction power, with slip [W].
 };
 
 /// Under preload: the flank that the load does not name, of the same threads or of the other nut.
 struct OtherFlank {
   PerInterface<FlankThreads> threads;
-  /// At rest: R_near and R_far of the roller under both flanks, or of one of each nut, that of the
-  /// named flank first; > 0 outwards [N].
+  /// At rest: R_near and R_far of the roller under both flanks, or of one roller of each nut, first that of the named
+  /// flank; > 0 outwards [N].
   std::vector<std::array<double, 2>> guide_force;
   double rollers = 1.0;
-  bool of_second_roller = false;  ///< Whether it is that of a double nut, whose nuts have rollers of their own.
+  bool of_second_roller = false;  ///< Whether it belongs to a double nut, whose nuts have rollers of their own.
 };
 
-/// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
-/// stiffness are absent.
+/// Result of one load case. With `share: equal` nothing is solved: status, displacement and stiffness are absent.
 struct LoadCaseResult {
-  // Compiled once, as those of Conditions.
+  // Defined in the .cpp file, like those of Conditions.
   LoadCaseResult();
   LoadCaseResult(const LoadCaseResult&);
   LoadCaseResult(LoadCaseResult&&) noexcept;
@@ -79,22 +78,22 @@ struct LoadCaseResult {
   LoadCase load_case;
   ModelOptions::Loads loads = ModelOptions::Loads::at_rest;
   std::optional<fe::NewtonSummary> solve;
-  std::optional<double> axial_displacement;             ///< [m], > 0 in the direction of the load.
+  std::optional<double> axial_displacement;             ///< Displacement [m], > 0 in the direction of the load.
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
-  std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
-  std::vector<GuideLoads> guides;                       ///< Those of each roller solved, if they have a clearance.
+  std::optional<PerInterface<InterfaceLoads>> threads;  ///< Thread loads; absent if not converged.
+  std::vector<GuideLoads> guides;                       ///< Guides of each roller solved, if they have a clearance.
   std::optional<OtherFlank> other_flank;                ///< Present with preload.
   std::shared_ptr<const FullLoads> full;                ///< Loads of the full mechanism, see full_result.h.
-  std::optional<RunningLoads> running;                  ///< Present if these are loads of the running screw.
-  std::optional<SlipResult> slip;                       ///< Present if it was asked for and the loads are known.
-  std::optional<HeatResult> heat;                       ///< Present with `heat`: the slip is that at its temperatures.
+  std::optional<RunningLoads> running;                  ///< Present if the loads are those of the running screw.
+  std::optional<SlipResult> slip;                       ///< Present if requested and the loads are known.
+  std::optional<HeatResult> heat;                       ///< Present with `heat`: the slip is at these temperatures.
   std::vector<Warning> warnings;
 
   bool converged() const { return (!solve || solve->converged()) && (!running || running->converged()); }
 };
 
-/// Everything that `analyze` computes from a case.
+/// All results that `analyze` computes from a case.
 struct Result {
   Result();
   Result(const Result&);
@@ -110,8 +109,8 @@ struct Result {
   std::vector<Warning> warnings;
 };
 
-/// Library, version and kind of what factorized the sparse equations of a load case:
-/// `CHOLMOD 3.0.14, simplicial LDL'`. Absent where none were solved.
+/// Library, version and kind of the sparse factorization for a load case: `CHOLMOD 3.0.14, simplicial LDL'`. Absent if
+/// none was made.
 std::optional<std::string> factorization(const LoadCaseResult& result);
 
 }  // namespace prs

@@ -158,7 +158,7 @@ std::string table_with(const LifeResult& r, bool all) {
   return text + warning_section(r.warnings);
 }
 
-/// One row per thread of one roller or, where `Lives` has them, of all rollers.
+/// Rows, one per thread of one roller or, if `Lives` has them, of all rollers.
 template <class Lives>
 std::string lives_csv(const LifeResult& r, const CsvStyle& style, const Lives& (*lives_of)(const ThreadLives&)) {
   constexpr bool all_rollers = std::is_same_v<Lives, RollerLives>;
@@ -457,7 +457,7 @@ Case under_mean_load(const Case& c, const LifeResult& r) {
   return mean;
 }
 
-/// Life modification factor of the mean load at the operation's speed. Throws CaseError where no film follows.
+/// Life modification factor of the mean load at the operation's speed. Throws CaseError if no film follows.
 ModifiedLife modified_life(const Case& c, const LifeResult& r) {
   constexpr double kFatigueLimit = 1.5e9;  // Peak pressure [Pa] that ISO 281 gives for steel of high quality.
   if (!c.friction || !c.operation || !c.lubricant || !c.roughness)

@@ -20,7 +20,8 @@ std::optional<double> screw_torque(const LoadCaseResult& r, double lead) {
 MotorDemand motor_demand(std::span<const DrivenStep> cycle, const DriveMotor& motor, double lead, double inertia,
                          double drag_torque, bool is_held) {
   const double ratio = motor.gear_ratio, gear = motor.gear_efficiency;
-  const double per_speed = kTurn / lead, speed = per_speed * ratio;  // Of the screw and the motor over the axis.
+  // Speeds of the screw and the motor over that of the axis.
+  const double per_speed = kTurn / lead, speed = per_speed * ratio;
   MotorDemand demand;
   double square = 0.0, duration = 0.0, mean_back = 0.0;
   for (const auto& [step, screw] : cycle) {

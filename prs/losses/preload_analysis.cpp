@@ -10,7 +10,7 @@ namespace {
 
 enum CurveStyle : std::size_t { kWithout, kWith, kTensionSide, kCompressionSide, kOpening };
 
-/// (load, value) of the points that converged, interrupted at the others.
+/// Curve (load, value) of the points that converged, interrupted at the others.
 Series curve_of(std::size_t style, const PreloadCurve& curve, const auto& value) {
   Series line{style};
   for (const PreloadPoint& point : curve.points)
@@ -45,8 +45,7 @@ Panel side_panel(const PreloadResult& r) {
   return panel;
 }
 
-/// Displacement and tangent stiffness over the external load, with preload and without, and what
-/// each side carries.
+/// Displacement and tangent stiffness over the external load, with preload and without, and the load of each side.
 Figures preload_curves(const PreloadResult& r) {
   if (!r.at_rest.solve.converged()) return {};
   Figure figure{"preload", r.preload.backlash ? "Axial play" : "Preload"};
@@ -76,7 +75,7 @@ Figures preload_curves(const PreloadResult& r) {
 }
 
 constexpr std::size_t kMostRows = 24;
-constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
+constexpr double kSmallLoad = 1.0;  ///< Load below which newtons are shown [N].
 
 std::string preload_line(const std::string& what, const std::string& value) { return hanging("  " + what, 49, value); }
 
@@ -115,7 +114,7 @@ std::string summary(const PreloadResult& r) {
 
 constexpr TableRows kCurveRows{0, 14};
 
-/// What follows the force.
+/// Cells after the force.
 std::vector<std::string> cells(const PreloadPoint& point, const PreloadPoint* loose) {
   const auto side = [&](Direction d) {
     const double load = point.sides[d].axial_load.screw;
@@ -142,8 +141,8 @@ std::string row(const PreloadResult& r, std::size_t k) {
   return kCurveRows(force, cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
 }
 
-/// The preload and the curve through zero, within 100 columns. Of many loads, an evenly spaced few
-/// are shown.
+/// The preload and the curve through zero, within 100 columns. If there are many loads, some evenly spaced ones are
+/// shown.
 std::string preload_table(const PreloadResult& r) {
   if (!r.at_rest.solve.converged())
     return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n", fe::name(r.at_rest.solve.status),
@@ -165,7 +164,7 @@ std::string preload_table(const PreloadResult& r) {
 
 namespace {
 
-/// Empty fields where the solve failed.
+/// Writes the fields of a point, empty if the solve failed.
 void curve_fields(CsvWriter& csv, const PreloadPoint* point) {
   const bool solved = point && point->solve.converged();
   csv.fields(point ? fe::name(point->solve.status) : "",

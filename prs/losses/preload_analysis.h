@@ -8,7 +8,7 @@ namespace prs {
 /// `preload.csv`: one row per load, with the curve without preload in further columns.
 std::string preload_csv(const PreloadResult& result, const CsvStyle& style = {});
 
-/// Forces and displacements are > 0 in tension; `tension` and `compression` of `sides` are the
+/// Analysis of preload. Forces and displacements are > 0 in tension; `tension` and `compression` of `sides` are the
 /// contacts that carry that sense of the load.
 const Analysis<PreloadResult>& preload_analysis();
 

@@ -10,7 +10,7 @@
 namespace prs {
 namespace {
 
-/// Says in which load cases the threads take nothing of the preload.
+/// Adds notes on load cases whose threads do not take the preload.
 void add_preload_notes(const Case& c, Result& result) {
   if (!some_load_has_both_flanks(c)) return add_preload_note(c, result.warnings);
   for (LoadCaseResult& r : result.load_cases)
@@ -160,7 +160,7 @@ constexpr Quantity<PowerBySource> kPowerShares[] = {kPowerShare<0>, kPowerShare<
                                                     kPowerShare<4>};
 static_assert(std::size(kPowerShares) == std::size(kPowerSources));
 
-/// Absent where nothing is lost.
+/// Shares of the sources; absent if nothing is lost.
 std::optional<PowerBySource> shares(const SlipResult& slip) {
   const double total = slip.power.total();
   if (!(total > 0.0)) return std::nullopt;

@@ -6,14 +6,14 @@
 
 namespace prs {
 
-/// The command `slip`: slip and friction of load cases, at the temperatures that they come to.
+/// The command `slip`: slip and friction of load cases, at the temperatures that they cause.
 const Analysis<Result>& slip_analysis();
 
 /// The thread of the largest power density.
 struct HottestThread {
   Interface interface = Interface::screw;
-  std::size_t thread = 0;             ///< From 1.
-  std::optional<std::size_t> roller;  ///< From 1; of a full mechanism.
+  std::size_t thread = 0;             ///< Number from 1.
+  std::optional<std::size_t> roller;  ///< Number from 1; for a full mechanism.
   std::optional<double> power;        ///< [W]
   double power_density = 0.0;         ///< [W/m^2]
 };
@@ -45,19 +45,19 @@ inline constexpr PowerSource kPowerSources[] = {
     {"carrier_nut", "carrier-nut", &PowerBySource::carrier_nut},
 };
 
-/// Whether a load case has an answer to slip.
+/// Whether a load case has a slip result.
 inline bool has_slip(const LoadCaseResult& result) { return result.slip && result.slip->converged(); }
 
 inline bool is_held(const LoadCaseResult& result) { return result.slip && result.slip->is_held(); }
 
-/// How the search for the slip ratio ended or, where the loads are not known, their solve.
+/// Outcome of the search for the slip ratio or, if the loads are not known, of their solve.
 inline std::string_view slip_status_name(const LoadCaseResult& result) {
   if (result.heat && !result.heat->converged()) return name(result.heat->status);
   if (result.slip) return name(result.slip->status);
   return result.converged() ? name(SlipStatus::not_computed) : status_name(result);
 }
 
-/// Absent where there are no densities.
+/// The hottest thread; absent if there are no densities.
 std::optional<HottestThread> hottest_thread(const SlipResult& slip);
 
 }  // namespace prs

@@ -78,7 +78,7 @@ Figures thread_friction(const Case& c, const Result& result, const FigureOptions
   return {thread_friction_figure(*chosen->load_case, *patches, chosen->thread)};
 }
 
-constexpr int kMostArrows = 11;  // Along each axis.
+constexpr int kMostArrows = 11;  // Largest number of arrows along each axis.
 
 /// Styles of the figure in the order of their legend.
 enum PatchStyle : std::size_t { kSliding, kOutline };
@@ -163,7 +163,7 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
   return panel;
 }
 
-/// From zero, unless friction is so even that its differences would not show.
+/// Scale from zero, unless friction is so even that its differences would not show.
 ColourScale friction_scale(const PerInterface<PatchField>& fields) {
   double least = HUGE_VAL, largest = 0.0;
   for (const Interface i : kInterfaces)
@@ -212,7 +212,7 @@ constexpr MomentCurve kCurves[] = {
 /// Indices of the styles after those of the curves.
 constexpr std::size_t kIdeal = std::size(kCurves), kRoot = kIdeal + 1, kZero = kIdeal + 2;
 
-/// How a panel shows slip ratios: (slip ratio - from) * factor.
+/// Transformation of slip ratios in a panel: (slip ratio - from) * factor.
 struct SlipAxis {
   std::string label = "Slip ratio";
   std::string unit = {};
@@ -280,7 +280,7 @@ Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictu
   return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
 }
 
-/// The same of one thread of one load case.
+/// Figure of one thread of one load case.
 Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
                               std::size_t thread) {
   return patch_figure("thread_friction", result, fields, thread);
@@ -317,7 +317,7 @@ constexpr const char* kSlipOfRollers = "a load case of `model: {mechanism: full}
 /// Fields of the load cases, by their index: integrated once for all pictures of them.
 using SlipFields = std::map<std::size_t, SlipPictures>;
 
-/// For the load cases whose slip converged, at most four; of several, names end in `_1`, `_2`, ..
+/// Figures for the load cases whose slip converged, at most four; if there are several, names end in `_1`, `_2`, ..
 auto of_slip(const Result& result, std::function<Figure(std::size_t)> make) {
   return [&result, make = std::move(make)](const FigureOptions& options) {
     constexpr std::size_t kMost = 4;
@@ -375,7 +375,7 @@ struct SweepPoint {
   const SlipResult* slip = nullptr;
 };
 
-/// By ascending x.
+/// Points sorted by ascending x.
 std::vector<SweepPoint> sweep(const std::vector<double>& x, const std::vector<SlipResult>& results) {
   std::vector<SweepPoint> points;
   for (std::size_t k = 0; k < std::min(x.size(), results.size()); ++k) points.push_back({x[k], &results[k]});

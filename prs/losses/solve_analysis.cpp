@@ -50,9 +50,9 @@ std::string full_solve_text(const Result& result) {
   return text;
 }
 
-/// How much more the most loaded threads carry than those of the same screw loaded symmetrically, if they do.
+/// Ratios of the load of the most loaded threads to that of the same screw under symmetric load, if above 1.
 std::vector<Headline> overloads(const Result& result) {
-  constexpr double kNone = 1.0005;  // What four digits do not show as 1.
+  constexpr double kNone = 1.0005;  // Ratio up to which four digits show 1.
   std::vector<Headline> headlines;
   for (const Interface i : kInterfaces) {
     Headline worst{fmt::format("Overload of a thread, {}", name(i)), "overload_factor", kNone};

@@ -4,10 +4,10 @@
 
 namespace prs {
 
-/// Loads of a screw at rest or, where `model.loads` asks for it, of one that runs.
+/// Analysis of the loads of a screw at rest or, if `model.loads` requests it, of a running one.
 const Analysis<Result>& solve_analysis();
 
-/// `solve` with other means, and the warnings of the command.
+/// `solve` with other options, and the warnings of the command.
 Result solved(const Case& c, const AnalysisOptions& options = {});
 
 }  // namespace prs

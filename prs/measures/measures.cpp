@@ -12,7 +12,7 @@ namespace {
 
 MeasureOptions options_of(const Conditions& c) { return c.measures.value_or(MeasureOptions{}); }
 
-/// Normal angle as the load distribution takes it: the case's own, else that of the geometry.
+/// Normal angle used in the load distribution: the case's own, else that of the geometry.
 std::optional<double> normal_angle(const Conditions& c, const Contacts& contacts, Interface i) {
   if (c.contact.normal_angle[i]) return c.contact.normal_angle[i];
   const InterfaceContact& contact = contacts.interfaces[i];
@@ -44,7 +44,7 @@ std::optional<double> ratio(const std::optional<double>& a, const std::optional<
   return a && b ? std::optional(*a / *b) : std::nullopt;
 }
 
-/// The smallest of those that are known.
+/// Smallest of the known values.
 std::optional<double> smallest(std::initializer_list<std::optional<double>> values) {
   std::optional<double> least;
   for (const std::optional<double>& v : values)
@@ -142,7 +142,7 @@ std::optional<StaticRating> equal_shares_static_rating(const Conditions& c, cons
   return screw && nut ? smaller(screw, nut) : std::nullopt;
 }
 
-/// Inertias as seen at the part that turns, from the masses of the parts.
+/// Computes inertias at the turning part from the masses of the parts.
 void find_inertia(const Conditions& c, const Contacts& contacts, Measures& m) {
   const Mechanism& mechanism = contacts.mechanism;
   const PerPart<std::optional<double>> density = {c.materials->screw.density, c.materials->roller.density,
@@ -206,7 +206,7 @@ void find_load_stiffness(const Conditions& c, const Contacts& contacts, const Me
   }
   const std::optional<double> both = sum(coefficient.screw, coefficient.nut);
   if (!both) return;
-  // A roller's tooth gives way at both of its contacts.
+  // A roller's tooth deforms at both of its contacts.
   double teeth = 0.0;
   for (const Part p : {Part::screw, Part::roller, Part::roller, Part::nut})
     if (measures.tooth_stiffness[p]) teeth += 1.0 / *measures.tooth_stiffness[p];
@@ -239,7 +239,7 @@ void find_pressures(const Conditions& c, const Contacts& contacts, double force,
   }
 }
 
-/// What the loads of the threads say, solved or equal.
+/// Computes measures from the loads of the threads, solved or equal.
 void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measures& measures,
                       const LoadCaseResult& result, LoadMeasures& m) {
   if (!result.threads) return;
@@ -271,7 +271,7 @@ void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measu
   }
 }
 
-/// Static ratings of all load cases, each solved once: forces of one sense at one place have one.
+/// Static ratings of all load cases; forces of one sense at one place share one solve.
 class StaticRatings {
  public:
   StaticRatings(const Conditions& c, const Contacts& contacts) : c_(c), contacts_(contacts) {}

@@ -11,16 +11,16 @@ namespace prs {
 namespace {
 
 constexpr TableRows kRows{58, 14};
-constexpr std::size_t kMostCases = 3;  ///< Most cases that fit side by side.
+constexpr std::size_t kMostCases = 3;  ///< Largest number of cases side by side.
 
-/// What documents have in newtons and single revolutions is that large here.
+/// Unit of a row: larger than in documents for newtons and single revolutions.
 ShownUnit row_unit(const ShownUnit& unit) {
   if (unit.text == "N") return table_unit("kN");
   if (unit.text == "revolutions") return {"", "10^6 revolutions", 1e-6};
   return table_unit(unit);
 }
 
-/// A number or a text; none where the measure is absent.
+/// A number or a text; none if the measure is absent.
 template <class Owner>
 std::optional<std::string> measure_cell(const Quantity<Owner>& q, const std::optional<Owner>& measures) {
   if (!measures) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<std::string> measure_cell(const Quantity<Owner>& q, const std::opt
   return json.is_null() ? std::nullopt : std::optional(words_of_text(json.template get<std::string>()));
 }
 
-/// The headings in the order of the table.
+/// Headings in the order of the table.
 template <class Owner>
 std::vector<std::string_view> groups_of() {
   std::vector<std::string_view> groups;
@@ -43,8 +43,8 @@ std::vector<std::string_view> groups_of() {
 
 using Keys = std::vector<std::string>;
 
-/// Numbers and words group by group, `owners` side by side; what none of them has is left out, and
-/// the `hidden` keys.
+/// Numbers and words group by group, `owners` side by side, without those absent for all, and without the `hidden`
+/// keys.
 template <class Owner>
 std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys& hidden) {
   std::string text;
@@ -68,7 +68,7 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
   return text;
 }
 
-/// The parts of an axis that a case has, with their keys.
+/// Parts of an axis that a case has, with their keys.
 std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> parts_of_axis(const SystemStiffness& axis) {
   const SystemStiffness::Contributions& c = axis.contributions;
   const std::optional<SystemStiffness::Contribution>* parts[] = {&c.mechanism, &c.shaft, &c.wind_up, &c.support_bearing,
@@ -79,7 +79,7 @@ std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> parts_of
   return all;
 }
 
-/// Stiffness of the axis and what its parts have of the compliance; all cases have the same parts.
+/// Stiffness of the axis and the shares of its parts in the compliance; all cases have the same parts.
 std::string axis_rows(std::span<const std::optional<LoadMeasures>> owners) {
   std::vector<std::string> total;
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
@@ -126,7 +126,7 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
   return text + (rows.empty() ? "" : '\n' + rows) + axis_rows(measures) + speeds;
 }
 
-/// A paragraph behind a word.
+/// A paragraph after a word.
 std::string paragraph(const std::string& word, std::string_view text) {
   return hanging("    " + word, 4 + word.size(), text);
 }
@@ -163,7 +163,7 @@ std::string table_without(const MeasuresResult& result, const Keys& hidden) {
   return text + warning_section(all_warnings(result.analysis));
 }
 
-/// Keys of estimates of what the result or another command computes.
+/// Keys of estimates of quantities that the result or another command computes.
 std::vector<std::string> estimates_in(const MeasuresResult& result) {
   const auto known = [&](auto member) {
     return std::ranges::any_of(result.load_measures, [&](const auto& m) { return m && (*m).*member; });
@@ -175,7 +175,7 @@ std::vector<std::string> estimates_in(const MeasuresResult& result) {
       {result.slips, result.lives, solved, solved || known(&LoadMeasures::thread_static_safety), loaded});
 }
 
-/// The table with the estimates of what is computed.
+/// The table with the estimates of computed quantities.
 std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
 
 }  // namespace
@@ -228,14 +228,14 @@ namespace {
 
 constexpr std::size_t kMostYangPanels = 6;
 constexpr std::size_t kMostBarCases = 6;
-constexpr std::size_t kMostLabelledCases = 3;  ///< Bars of more are thinner than a number.
+constexpr std::size_t kMostLabelledCases = 3;  ///< Largest number of cases whose bars are thick enough for a number.
 
 constexpr double kPerMicrometrePerKilonewton = 1e9;  // From m/N.
 
 /// Name and compliance [m/N].
 using Compliance = std::pair<std::string, double>;
 
-/// Compliances of the bodies, and of the teeth of all contacts together, the roller's at both interfaces.
+/// Compliances of the bodies, and of the teeth of all contacts together; for the roller at both interfaces.
 std::vector<Compliance> body_compliances(const MeasuresResult& result) {
   const Measures& m = result.measures;
   const Mechanism& mechanism = result.analysis.contacts.mechanism;
@@ -253,7 +253,7 @@ std::vector<Compliance> body_compliances(const MeasuresResult& result) {
   return all;
 }
 
-/// The last load case of each range with stiffness of its contacts.
+/// Last load case of each range that has a stiffness of its contacts.
 std::vector<std::size_t> cases_with_contacts(const MeasuresResult& result) {
   std::vector<std::size_t> cases;
   for (const CaseGroup& group : group_cases(result.analysis.load_cases)) {
@@ -271,7 +271,7 @@ Figures yang(const MeasuresResult& result) {
   std::size_t threads = 0;
   for (std::size_t k = 0; k < result.load_measures.size(); ++k) {
     const LoadCaseResult& load_case = result.analysis.load_cases[k];
-    // Yang's roller stands for all of them.
+    // Yang's formula has one roller for all.
     if (!load_case.threads || load_case.full || !result.load_measures[k]) continue;
     const std::vector<double>& rate = result.load_measures[k]->yang_load_rate;
     if (rate.empty() || figure.panels.size() == kMostYangPanels) continue;
@@ -292,8 +292,8 @@ Figures yang(const MeasuresResult& result) {
   return {std::move(figure)};
 }
 
-/// Compliances: contacts that share each load equally, teeth, body sections of one pitch, the
-/// screw's shaft. They do not add up to that of the screw.
+/// Compliances: contacts that share each load equally, teeth, body sections of one pitch, the screw's shaft. Their sum
+/// is not the compliance of the screw.
 Figures stiffness_terms(const MeasuresResult& result) {
   Figure figure{"stiffness_terms", "Stiffness terms: contacts with equal shares, bodies over one pitch"};
   std::vector<std::size_t> cases = cases_with_contacts(result);

@@ -9,7 +9,7 @@ std::string_view measures_texts();  // measures.yaml
 
 namespace {
 
-/// Larger load rate of both interfaces.
+/// The larger load rate of both interfaces.
 std::optional<double> largest_load_rate(const LoadMeasures& m) {
   const auto& [screw, nut] = m.largest_load_rate;
   return screw && nut ? std::optional(std::max(*screw, *nut)) : std::nullopt;
@@ -137,7 +137,7 @@ const input::Node& texts() {
   return root;
 }
 
-/// The quantities with what measures.yaml says of them.
+/// Quantities with their texts from measures.yaml.
 template <class Owner, std::size_t n>
 std::span<const Quantity<Owner>> with_texts(const Quantity<Owner> (&quantities)[n]) {
   static const std::vector<Quantity<Owner>> all = [&] {

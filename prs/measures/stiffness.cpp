@@ -42,14 +42,14 @@ double nut_compliance(const Structure::Nut& nut, double bore, double modulus, do
   return (compliance + std::max(length, 0.0) / ring_area(nut.outer_diameter, bore)) / modulus;
 }
 
-/// Loads of the threads by the approach of the last one; where their sum exceeds F on the way,
-/// those so far, which is enough for a bracket. Returns the sum.
+/// Loads of the threads for an approach of the last one; stops if their sum exceeds F, which is enough for a bracket.
+/// Returns the sum.
 double find_loads(double last_approach, double force, double coefficient, std::span<const ThreadGap> gaps,
                   std::span<double> loads) {
   const auto load = [&](double approach) {
     if (!(approach > 0.0)) return 0.0;
     const double ratio = approach / coefficient;
-    return ratio * std::sqrt(ratio);  // A power of 1.5 takes many times as long.
+    return ratio * std::sqrt(ratio);  // pow(ratio, 1.5) is many times slower.
   };
   double approach = last_approach;
   double sum = loads.back() = load(approach);
@@ -172,7 +172,7 @@ std::vector<ThreadGap> thread_gaps(const Mechanism& m, const Structure& s, const
 std::vector<double> yang_distribution(double force, double coefficient, std::span<const ThreadGap> gaps) {
   std::vector<double> loads(gaps.size() + 1);
   const auto excess = [&](double w) { return find_loads(w, force, coefficient, gaps, loads) / force - 1.0; };
-  // Without approach of the last thread none carries; with twice that of F it carries more than F.
+  // Without approach of the last thread none carries; with twice that for F it carries more than F.
   const double greatest = 2.0 * coefficient * std::pow(force, 2.0 / 3.0);
   std::uintmax_t evaluations = 400;
   const auto root = boost::math::tools::toms748_solve(excess, 0.0, greatest, -1.0, excess(greatest),

@@ -12,11 +12,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Share of a contact's stiffness by which a missing roller stays in its place.
+/// Stiffness of a missing roller's contacts, as a share of a present one's.
 constexpr double kMissing = 1e-13;
 
-/// x with A x = b, A given by its products, from x = 0; nothing after so many directions (Saad and
-/// Schultz, GMRES, 1986).
+/// Solution x of A x = b, A given by its products, from x = 0; none after this many directions (Saad and Schultz,
+/// GMRES, 1986).
 template <class Product>
 std::optional<VectorXd> gmres(Product product, const VectorXd& b, double tolerance, int most) {
   const double size = b.norm();
@@ -48,7 +48,7 @@ std::optional<VectorXd> gmres(Product product, const VectorXd& b, double toleran
   return std::nullopt;
 }
 
-/// The problem in units of the given force and length, with all that a solve works on.
+/// The problem in units of the given force and length, with the workspace of a solve.
 class Around {
  public:
   Around(const ContactsAround& given, const ContactsAroundOptions& options)
@@ -85,14 +85,14 @@ class Around {
     MatrixXd y;              ///< One column for each roller.
     VectorXd motion;         ///< V, wave after wave.
     MatrixXd load, slope;    ///< N and dN/dy.
-    MatrixXd approach_left;  ///< What the first equation lacks, one column for each wave.
-    VectorXd force_left;     ///< What the second one lacks.
+    MatrixXd approach_left;  ///< Residual of the first equation, one column for each wave.
+    VectorXd force_left;     ///< Residual of the second equation.
 
     double largest() const { return std::max(approach_left.cwiseAbs().maxCoeff(), force_left.cwiseAbs().maxCoeff()); }
     double square() const { return approach_left.squaredNorm() + force_left.squaredNorm(); }
   };
 
-  /// Linear contacts of equal stiffness.
+  /// First state: linear contacts of equal stiffness.
   State first_state() {
     State s;
     take(MatrixXd::Zero(contacts_, rollers_), 1.0);
@@ -126,8 +126,8 @@ class Around {
     }
   }
 
-  /// Whether rounding of the sums alone can leave this much: as much as half an eps for each term
-  /// of a sum of their sizes (Higham, Accuracy and Stability of Numerical Algorithms, 2002, (3.5)).
+  /// Whether rounding of the sums alone can leave this residual: half an eps for each term of a sum of their sizes
+  /// (Higham, Accuracy and Stability of Numerical Algorithms, 2002, (3.5)).
   bool left_is_rounding(const State& s) const {
     const MatrixXd shapes = shapes_.cwiseAbs(), load = s.load * shapes;
     const MatrixXd approach = s.y.cwiseAbs() * shapes + gap_.cwiseAbs();
@@ -148,7 +148,7 @@ class Around {
     return true;
   }
 
-  /// Slopes for the steps to come, of present rollers at least `least` times the first stiffness.
+  /// Sets the slopes for the next steps; for present rollers at least `least` times the first stiffness.
   void take(const MatrixXd& slope, double least) {
     const MatrixXd counted = slope.cwiseMax(
         stiffness() * (hertz_.array() > 0.0).select(MatrixXd::Constant(contacts_, rollers_, least), kMissing));
@@ -164,7 +164,7 @@ class Around {
       inverse_.push_back(matrix.partialPivLu().inverse());
     }
   }
-  /// Changes of y and V that take away what is left.
+  /// Changes of y and V that remove the residual.
   std::pair<MatrixXd, VectorXd> step(const MatrixXd& approach_left, const VectorXd& force_left,
                                      double tolerance) const {
     MatrixXd waves(contacts_, shapes_.cols());
@@ -204,7 +204,7 @@ class Around {
   Eigen::VectorBlock<Vector> motions(Vector& all, std::size_t wave) const {
     return all.segment(first_[wave], mode_of(wave).rigid.cols());
   }
-  /// Those of V, or of its loads, in a wave.
+  /// Units of V, or of its loads, in a wave.
   VectorXd units(std::size_t wave, double of_motions, double of_reactions) const {
     const ContactsAround::Mode& m = mode_of(wave);
     VectorXd units = VectorXd::Constant(m.rigid.cols(), of_motions);
@@ -213,12 +213,12 @@ class Around {
   }
   double stiffness() const { return options_.stiffness * options_.length / options_.force; }
 
-  /// W of `y` times what the slopes are apart.
+  /// Product of W, `y` and the differences of the slopes from their mean.
   MatrixXd by_slopes(const MatrixXd& y) const {
     const MatrixXd apart = apart_.cwiseProduct(y) * shapes_;
     MatrixXd waves = apart;
     for (Index w = 0; w < apart.cols();) {
-      // Cosine and sine of one order lie side by side.
+      // Cosine and sine of one order are neighbours.
       const std::size_t mode = given_.waves[static_cast<std::size_t>(w)].mode;
       Index end = w + 1;
       while (end < apart.cols() && given_.waves[static_cast<std::size_t>(end)].mode == mode) ++end;
@@ -248,8 +248,8 @@ class Around {
   Index contacts_, rollers_, motions_ = 0;
   MatrixXd shapes_;  ///< One column for each wave.
   std::vector<ContactsAround::Mode> modes_;
-  std::vector<Index> first_;  ///< First of the motions of each wave.
-  MatrixXd hertz_, gap_;      ///< k_0 of each contact, 0 of a missing roller's; g of each wave.
+  std::vector<Index> first_;  ///< Index of the first motion of each wave.
+  MatrixXd hertz_, gap_;      ///< k_0 of each contact, 0 for a missing roller's; g of each wave.
   VectorXd load_;
   MatrixXd apart_;  ///< S/S_m - 1
   bool alike_ = true;

@@ -12,24 +12,24 @@ namespace {
 
 using fe::Dof;
 
-/// Approach of a spring beyond this many centre distances: nothing holds the load.
+/// Approach of a spring, in centre distances, beyond which nothing holds the load.
 constexpr double kRunaway = 100.0;
 
-/// Shares of the axial force that are left over: a load is held below the first of them, up to
-/// rounding, and surely is not beyond the second.
+/// Remaining shares of the axial force: a load is held below the first of them, up to rounding, and surely is not
+/// beyond the second.
 constexpr double kSurelyHeld = 1e-9, kSurelyNotHeld = 1e-6;
 
-/// Linear solves of a load that may have no equilibrium.
+/// Most linear solves for a load that may have no equilibrium.
 constexpr int kMostOfTrial = 30;
 
-/// Tangents count at least this share of that of equal shares.
+/// Smallest tangent used, as a share of that of equal shares.
 constexpr double kLeastTangent = 1e-7;
 
-/// Change of a contact's tangent with which the last factorization still gives the stiffness of one
-/// position after the other, in three refinements.
+/// Change of a contact's tangent up to which the last factorization still gives the stiffness of the next position, in
+/// three refinements.
 constexpr double kNearTangent = 1e-3;
 
-/// Shares of the mean below which a thread or a roller carries nothing.
+/// Share of the mean load below which a thread or a roller carries nothing.
 constexpr double kUnloaded = 1e-6;
 
 /// k_0^(2/3) N^(1/3) with equal shares [N/m].
@@ -43,10 +43,10 @@ PerInterface<double> equal_share_secant(const FullModel& f) {
   return secant;
 }
 
-/// Both stops of each guide, behind the springs of the contacts.
+/// Number of both stops of each guide, numbered after the springs of the contacts.
 std::size_t stops(const FullModel& f) { return f.sector.has_loose_guides() ? 8 * f.present.size() : 0; }
 
-/// A value for each spring. Stops act both ways as one spring without a clearance.
+/// A value for each spring. Both stops of a guide act as one spring without a clearance.
 std::vector<double> for_each_spring(const FullModel& f, const PerInterface<double>& value) {
   std::vector<double> values;
   for (std::size_t r = 0; r < f.present.size(); ++r)
@@ -65,7 +65,7 @@ fe::NewtonOptions newton_options(const FullModel& f) {
   return options;
 }
 
-/// A solved state with all that is read off it.
+/// A solved state and all results derived from it.
 class Solution {
  public:
   Solution(const FullModel& f, const FullStructure& s, const fe::Equations& equations, const fe::State& q)
@@ -123,17 +123,17 @@ class Solution {
     }
   }
 
-  /// Forces of the guides on the rollers; what they take is handed on to their seats.
+  /// Adds the forces of the guides on the rollers, and the reactions on their seats.
   void read_rings(FullDistribution& d) {
     for (std::size_t k = 0; k < d.rings.size(); ++k) {
       d.rings[k].position = outer_face(k);
       d.rings[k].rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
     }
     if (f_.sector.has_loose_guides()) d.guides.resize(static_cast<std::size_t>(f_.rollers));
-    std::size_t place = 0;  // Of the four guides of a roller.
+    std::size_t place = 0;  // Index among the four guides of a roller.
     for (const FullStructure::Guide& guide : s_.guides) {
       const FullModel::Roller& roller = f_.present[guide.roller];
-      double force = 0.0;  // On the roller, outwards.
+      double force = 0.0;  // Force on the roller, outwards.
       if (guide.link >= 0) {
         force = -equations_.link_force(q_, guide.link);
         for (const fe::Term& t : s_.model.elastic_links[static_cast<std::size_t>(guide.link)].form)
@@ -155,7 +155,7 @@ class Solution {
     if (!f_.sector.bends()) read_straight_rollers(d);
   }
 
-  /// Rollers that stay straight hand their transverse forces to the middles of both rings.
+  /// Adds the transverse forces of straight rollers to the middles of both rings.
   void read_straight_rollers(FullDistribution& d) {
     const double near = f_.roller_ends.first + 0.5 * f_.sector.end_length;
     const double far = f_.roller_ends.last - 0.5 * f_.sector.end_length;
@@ -173,7 +173,7 @@ class Solution {
   }
 
   double outer_face(std::size_t ring) const { return ring == 0 ? f_.roller_ends.first : f_.roller_ends.last; }
-  /// `arm`: of the force along x.
+  /// Adds a force; `arm` is the arm of the force along x.
   static void add(RingForce& ring, const FullModel::Roller& roller, double force, double arm) {
     const double y = force * std::cos(roller.azimuth), z = force * std::sin(roller.azimuth);
     ring.rollers[static_cast<std::size_t>(roller.number)] += force;
@@ -183,7 +183,7 @@ class Solution {
     ring.moment.z += arm * y;
   }
 
-  /// Springs first: they take part in what their freedom needs of a support that holds it rigidly.
+  /// Reads the springs first: they contribute to the force that a rigid support of their freedom must provide.
   void read_supports(FullDistribution& d) {
     const auto add_springs = [&](const FullStructure::Support& s) {
       for (const FullStructure::Held* held : {&s.u, &s.y, &s.z, &s.y_slope, &s.z_slope})
@@ -209,8 +209,7 @@ class Solution {
   std::vector<double> needed_;  ///< External force that each freedom needs for equilibrium.
 };
 
-/// K and B'tB condensed to the freedoms of the loaded section; false where K is singular to
-/// rounding.
+/// Condenses K and B'tB to the freedoms of the loaded section; false if K is singular to rounding.
 bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations, fe::NewtonSolver& solver,
               const Linearised& linear, double near, FullDistribution& d) {
   const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
@@ -247,8 +246,7 @@ std::string why_left_out(const FreeMotions& free) {
   return fmt::format("with the loaded threads alone a motion of {} meets no resistance", free.parts.front());
 }
 
-/// Idle rollers bend between the rings that they tie to each other; along the axis, where nothing
-/// holds them, they are pinned.
+/// The structure with idle rollers pinned along the axis, where nothing holds them; they still bend between the rings.
 FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rollers,
                           const std::optional<FullMesh>& mesh = {}) {
   FullStructure s = full_structure(f, mesh);
@@ -258,7 +256,7 @@ FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rolle
   return s;
 }
 
-/// Equations with their solver, for one model after the other.
+/// Equations and their solver, for one model after the other.
 struct Assembled {
   explicit Assembled(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
 
@@ -266,7 +264,7 @@ struct Assembled {
   fe::NewtonSolver newton;
 };
 
-/// Keeps numbering, pattern and its symbolic factorization where only numbers differ.
+/// Takes a model; keeps numbering, pattern and symbolic factorization if only numbers differ.
 Assembled& take(const fe::Model& model, std::unique_ptr<Assembled>& kept) {
   if (kept && kept->equations.take(model))
     kept->newton.equations_changed();
@@ -275,7 +273,7 @@ Assembled& take(const fe::Model& model, std::unique_ptr<Assembled>& kept) {
   return *kept;
 }
 
-/// Nothing where the loaded threads alone leave a motion free.
+/// Adds the compliance, unless the loaded threads alone leave a motion free.
 void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
                     fe::NewtonSolver& solver, std::unique_ptr<Assembled>& kept_pinned, double near,
                     FullDistribution& d) {
@@ -347,16 +345,16 @@ std::optional<FullDistribution> mechanism(const FullModel& f, const FullStructur
 
 struct FullSolver::Parts {
   struct Solved {
-    double force;  ///< Along the axis, tension < 0 [N].
+    double force;  ///< Force along the axis, tension < 0 [N].
     fe::State state;
   };
 
   std::unique_ptr<Assembled> assembled = {};
-  std::unique_ptr<Assembled> pinned = {};  ///< The same with idle rollers pinned, of the last load.
-  std::vector<Solved> last = {};           ///< Solved before, the latest at the end.
+  std::unique_ptr<Assembled> pinned = {};  ///< Equations with idle rollers pinned, for the last load.
+  std::vector<Solved> last = {};           ///< Earlier solutions, the latest at the end.
 
-  /// The one that leaves least of the load among the latest state, those with the next forces below
-  /// and above and what lies between these. Nothing where there is none.
+  /// State with the smallest residual among the latest one, those with the next forces below and above, and
+  /// interpolations between them. None if there is no state.
   std::optional<fe::State> nearest(double force, const Eigen::VectorXd& load) const {
     if (last.empty()) return std::nullopt;
     const Solved *below = nullptr, *above = nullptr;
@@ -380,8 +378,8 @@ struct FullSolver::Parts {
     };
     return std::move(*std::ranges::min_element(candidates, {}, left));
   }
-  /// The last state, or a straight line or a parabola through the last ones, whichever leaves
-  /// least of the load.
+  /// The last state, or an extrapolation by a line or a parabola through the last ones, whichever has the smallest
+  /// residual.
   std::optional<fe::State> onwards(const Eigen::VectorXd& load) const {
     const std::size_t n = last.size();
     if (n == 0) return std::nullopt;
@@ -423,7 +421,7 @@ FullDistribution solve(const FullModel& f, Detail detail) { return FullSolver().
 FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   FullStructure s = full_structure(f);
   const bool goes_on = start_ == FullStart::onwards && parts_;
-  if (!goes_on)  // Supports and contacts stay as they are.
+  if (!goes_on)  // Supports and contacts stay unchanged.
     if (std::optional<FullDistribution> d = mechanism(f, s)) return *d;
   FullDistribution d;
   if (!parts_) parts_ = std::make_unique<Parts>();
@@ -438,7 +436,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const double force = f.sense() * f.axial_force;
   const auto from_linear = [&] {
     if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
-      q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
+      q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits than this start.
   };
   if (std::optional<fe::State> near = goes_on ? parts_->onwards(load) : parts_->nearest(force, load))
     q = std::move(*near);
@@ -466,7 +464,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
     d.solve = solver.solve(load, options, q, [&] { return load_left(f, s) <= kSurelyNotHeld; });
   }
   if (d.solve.status == fe::NewtonStatus::no_equilibrium && load_left(f, s) < kSurelyHeld) {
-    // What holds is so soft that it moves far.
+    // The supports are so soft that displacements are large.
     options.largest_approach = std::numeric_limits<double>::infinity();
     const fe::NewtonSummary near = std::move(d.solve);
     d.solve = solver.solve(load, options, q);
@@ -501,7 +499,7 @@ SymmetricLoads symmetric_loads(const FullModel& f, const LoadDistribution& d) {
 
 namespace {
 
-/// Loads that differ by less are the same load, as rounding has it.
+/// Difference of loads, relative, that is only rounding.
 constexpr double kSameLoad = 1e-9;
 
 class Collector {
@@ -517,7 +515,7 @@ class Collector {
     }
   }
 
-  /// Roller j carries what roller j + shift does in the distribution.
+  /// Adds the distribution, in which roller j has the load of roller j + shift.
   void add(const FullDistribution& d, int shift, double carrier_angle) {
     const double share = 1.0 / orbit_.positions;
     orbit_.carrier_angle.push_back(carrier_angle);

@@ -12,10 +12,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Shares of the mean below which a roller carries nothing.
+/// Share of the mean load below which a roller carries nothing.
 constexpr double kIdle = 1e-6;
 
-/// The middles of rings that a body carries, within the body.
+/// Middles of the rings that a body carries, inside the body.
 std::vector<double> ring_sections(const FullModel& f, Rings::Carrier body, const std::vector<BodyPiece>& pieces,
                                   double origin) {
   std::vector<double> sections;
@@ -25,10 +25,10 @@ std::vector<double> ring_sections(const FullModel& f, Rings::Carrier body, const
   return sections;
 }
 
-/// A displacement across the axis or a slope of a station of the screw. Slopes, like all rotations
-/// here, are times r_R and moments over r_R.
+/// A held lateral displacement or slope of a station of the screw. Slopes, like all rotations here, are times r_R and
+/// moments over r_R.
 struct Held {
-  Index freedom = 0;  ///< Index among the stations' freedoms: two for each, the displacement first.
+  Index freedom = 0;  ///< Index among the stations' freedoms, two for each, the displacement first.
   double stiffness = kRigid;
   Lateral rest;
 };
@@ -39,8 +39,8 @@ Lateral turned(const Lateral& l, double angle) {
 }
 double component(const Lateral& l, bool sine) { return sine ? l.z : l.y; }
 
-/// The contact problem, built of what one roller sees: vectors over its contacts, those at the
-/// screw first, of which waves of order 1 take cos(theta_j) or sin(theta_j) times sqrt(N/2).
+/// The contact problem, built from the view of one roller: vectors over its contacts, those at the screw first, of
+/// which waves of order 1 take cos(theta_j) or sin(theta_j) times sqrt(N/2).
 class Assembly {
  public:
   Assembly(const FullModel& f, const FullBodies& bodies) : f_(f), threads_(f.threads()), arm_(f.sector.roller_radius) {
@@ -68,7 +68,7 @@ class Assembly {
     o.stiffness = contact / o.length;
     return o;
   }
-  /// Change of the nut's flexibility that is alike for all pairs of rollers.
+  /// Adds a change of the nut's flexibility that is equal for all pairs of rollers.
   void add_to_nut(const MatrixXd& change) {
     problem.modes[0].flexibility.bottomRightCorner(threads_, threads_) += f_.rollers * change;
   }
@@ -100,7 +100,7 @@ class Assembly {
     read_bearings(s, d);
   }
 
-  /// In the order of the freedoms of the screw's end.
+  /// Adds the compliance, in the order of the freedoms of the screw's end.
   void add_compliance(const ContactsAroundSolution& s, FullDistribution& d) const {
     const std::vector<WaveMotion> motions{{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}};
     const MatrixXd turning = compliance(problem, s, options(), motions);
@@ -120,10 +120,10 @@ class Assembly {
 
  private:
   Index row(Interface i, int thread) const { return (i == Interface::screw ? 0 : threads_) + thread; }
-  /// Rings that move against what carries them.
+  /// Number of freedoms of rings that move against their carrier.
   Index floating() const { return f_.floating_rings() ? 2 : 0; }
-  /// Index of the first reaction in waves of order 1, behind the motions: across the axis, slope,
-  /// each roller along its axis, rings.
+  /// Index of the first reaction in waves of order 1, after the motions: lateral, slope, each roller along its axis,
+  /// rings.
   Index first_reaction() const { return 3 + floating(); }
   Eigen::Index rings_on_screw() const { return f_.carrier == Rings::Carrier::screw ? 2 : 0; }
 
@@ -147,7 +147,7 @@ class Assembly {
       }
   }
 
-  /// Approaches by loads on the stations of the screw, and what they do to the stations.
+  /// Computes approaches by loads on the stations of the screw, and displacements of the stations.
   void find_stations(const FullBodies& bodies) {
     stations_ = screw_stations(f_);
     const auto freedoms = 2 * static_cast<Index>(stations_.size());
@@ -184,8 +184,8 @@ class Assembly {
                                                            : nullptr;
   }
 
-  /// The rings' forces bend the body that carries them, whose sections move the rings and with them
-  /// the lines: more approaches by its motions and by loads on it.
+  /// Adds the deformation of the body that carries the rings by the rings' forces; its sections move the rings and with
+  /// them the lines: more approaches by its motions and by loads on it.
   void carry_rings() {
     if (!bodies_of_rings_) return;
     const bool screw = f_.carrier == Rings::Carrier::screw;
@@ -217,8 +217,8 @@ class Assembly {
       problem.modes.push_back({body(m), roller_, MatrixXd::Zero(1, 1), 0});
   }
 
-  /// As first_reaction has them: motions, then reactions of bearings. Soft rings move far more than
-  /// contacts approach: as motions they keep the digits that their flexibility would lose.
+  /// Mode of order 1, in the order of first_reaction: motions, then reactions of bearings. Soft rings move far more
+  /// than contacts approach: as motions they keep the digits that their flexibility would lose.
   ContactsAround::Mode bending(MatrixXd flexibility) const {
     const double count = amplitude() * amplitude();
     const auto add = [&](const MatrixXd& by, double c) { flexibility += c * count * by * by.transpose(); };
@@ -267,7 +267,7 @@ class Assembly {
       wave(m, [&](int j) { return std::cos(angle(m, j)); });
       if (2 * m < static_cast<std::size_t>(n)) wave(m, [&](int j) { return std::sin(angle(m, j)); });
     }
-    if (n == 2) {  // No contact resists motions across both rollers, bearings alone do.
+    if (n == 2) {  // No contact resists motions across both rollers, only bearings do.
       ContactsAround::Mode alone = problem.modes[1];
       alone.flexibility.setZero();
       alone.rigid.setZero();
@@ -313,7 +313,7 @@ class Assembly {
     }
   }
 
-  /// A motion or reaction of the waves of order 1, across the axis.
+  /// A lateral motion or reaction of the waves of order 1.
   Lateral across_of(const ContactsAroundSolution& s, Index motion) const {
     return turned({s.motion[1][motion], s.motion[2][motion]}, -f_.load.carrier_angle);
   }
@@ -373,14 +373,14 @@ class Assembly {
   const FullModel& f_;
   Index threads_;
   double arm_;
-  MatrixXd screw_, nut_;  ///< Approaches by motions: along, across, slope.
-  VectorXd roller_;       ///< By that of the roller along its axis.
-  MatrixXd lines_;        ///< By displacements of the near and the far ring outwards.
+  MatrixXd screw_, nut_;  ///< Approaches by motions: axial, lateral, slope.
+  VectorXd roller_;       ///< Approaches by the roller's motion along its axis.
+  MatrixXd lines_;        ///< Approaches by outward displacements of the near and the far ring.
   std::vector<double> stations_;
   MatrixXd by_stations_;           ///< Approaches by loads on the screw's stations.
-  MatrixXd between_stations_;      ///< What these do to the stations.
-  MatrixXd rigid_stations_;        ///< What motions of the loaded section across and slope do there.
-  std::array<MatrixXd, 2> loads_;  ///< On the stations, for the waves cos and sin.
+  MatrixXd between_stations_;      ///< Displacements of the stations by these loads.
+  MatrixXd rigid_stations_;        ///< Displacements of the stations by lateral motion and slope of the loaded section.
+  std::array<MatrixXd, 2> loads_;  ///< Loads on the stations, for the waves cos and sin.
   std::vector<Held> held_;
   const FlexibilityAround* bodies_of_rings_ = nullptr;
 };

@@ -7,15 +7,15 @@
 namespace prs {
 namespace {
 
-/// Turns of the helix of screw and nut up to the azimuth of a roller, and the nearest whole number
-/// of them; rounding does not choose between two.
+/// Turns of the helix of screw and nut up to the azimuth of a roller, and the nearest whole number of them, chosen
+/// independently of rounding.
 double helix_turns(const Mechanism& m, double azimuth) {
   const double sign = m.lead > 0.0 ? 1.0 : -1.0;
   return sign * m.starts.screw * azimuth / (2.0 * std::numbers::pi);
 }
 double whole_turns(double turns) { return std::floor(turns + 0.5 + 1e-9); }
 
-/// The start that a roller meets at its thread i.
+/// Index of the start that a roller meets at its thread i.
 std::size_t start_at(const Mechanism& m, double azimuth, int i) {
   const int shifted = i - static_cast<int>(whole_turns(helix_turns(m, azimuth)));
   const int starts = m.starts.screw;
@@ -46,8 +46,7 @@ Shift shift_of(const TurningThread& t, double alpha, double xi, double middle, d
   return s;
 }
 
-/// Shift of the thread of roller j, turned by `spin`, `from_middle` along it, on its side of the screw or
-/// the nut.
+/// Shift of the thread of roller j, turned by `spin`, `from_middle` along it, at the screw or the nut.
 Shift shift_of(const TurningRollers& t, std::size_t j, Interface i, double spin, double from_middle,
                double roller_radius) {
   const auto turned = [&](const TurningRollers::Error& e) { return e.amount.of(j) * std::cos(spin + e.angle.of(j)); };
@@ -60,7 +59,7 @@ Shift shift_of(const TurningRollers& t, std::size_t j, Interface i, double spin,
   return s;
 }
 
-/// What is alike at all rollers.
+/// Data common to all rollers.
 struct ThreadsOfAll {
   const Mechanism& m;
   const Deviations& d;
@@ -75,7 +74,7 @@ struct ThreadsOfAll {
   bool unlike() const { return !d.roller_diameters.empty() || !d.pitch_error.roller.lists.empty(); }
 };
 
-/// What the gaps of one roller are made of, before the smallest is taken off.
+/// Contributions to the gaps of one roller, before the smallest is subtracted.
 PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j, double azimuth,
                                           const std::vector<double>& contact_x) {
   const Mechanism& m = all.m;
@@ -128,7 +127,7 @@ void take_off_smallest(FullModel& f) {
   }
 }
 
-/// Axial places of the contacts of all rollers, those of missing ones left out.
+/// Axial places of the contacts of all rollers except missing ones.
 std::vector<double> all_contacts(const FullModel& f) {
   std::vector<double> x;
   for (const FullModel::Roller& r : f.present) x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());

@@ -35,7 +35,7 @@ class Builder {
     s_.loaded = nearest(s_.screw, f_.loaded_section);
     add_rings();
     add_housing();
-    add_bearings();  // Before the guides, which may follow their nodes.
+    add_bearings();  // Added before the guides, which may follow their nodes.
     for (const FullModel::Roller& r : f_.present) add_roller(r);
     add_stops();
     add_loads();
@@ -80,7 +80,7 @@ class Builder {
     return x;
   }
 
-  /// Beams in both planes between stations.
+  /// Adds beams in both planes between stations.
   std::vector<SpatialNode> body(std::vector<double> x, const std::vector<BodyPiece>& pieces) {
     std::ranges::sort(x);
     x.erase(std::unique(x.begin(), x.end(), [&](double a, double b) { return b - a < same_; }), x.end());
@@ -117,8 +117,8 @@ class Builder {
     x = std::move(all);
   }
 
-  /// Joins nodes in a row that lie close: those that may be held stay free and the others follow.
-  /// `done`: of the pieces before each node.
+  /// Joins successive nodes that are close: nodes that may be held stay free and the others follow. `done`: whether the
+  /// piece before each node is joined.
   void join_near(const std::vector<SpatialNode>& nodes, const std::vector<BodyPiece>& pieces, std::vector<bool>& done) {
     const auto near = [&](std::size_t i) { return nodes[i].x - nodes[i - 1].x < kNearNodes; };
     const auto may_be_held = [&](double x) {
@@ -141,7 +141,7 @@ class Builder {
       }
     }
   }
-  /// `node` is moved rigidly by `before`, and by the end of a beam that is clamped there.
+  /// Makes `node` follow `before` rigidly, plus the end of a beam clamped there.
   void follow(const SpatialNode& before, const SpatialNode& node, const RollerSection<double>& section) {
     const double arm = node.x - before.x;
     const int clamped = s_.model.add_node();
@@ -160,7 +160,7 @@ class Builder {
     }
   }
 
-  /// Puts the nut's u into its wall, and the wall's harmonics, cos before sin, behind it.
+  /// Moves the nut's u to its wall, and adds the wall's harmonics, cos before sin, after it.
   void add_wall(const NutWall& wall) {
     for (fe::BeamElement& b : s_.model.beams)
       if (b.first >= s_.nut.front().y_plane) b.beam.axial_rigidity = 0.0;
@@ -237,7 +237,7 @@ class Builder {
       }
       if (i >= 2 && i + 2 < x.size())
         for (const Interface at : kInterfaces) {
-          // Of two contacts of a tooth the screw's looks against the load.
+          // Two contacts of a tooth: the screw's faces against the load.
           const bool second = (at == Interface::screw) == (f_.sense() < 0.0);
           if (!sector.contacts_apart() || (i % 2 == 1) == second) roller.contacts[at].push_back(node);
         }
@@ -252,7 +252,7 @@ class Builder {
     s_.rollers.push_back(std::move(roller));
   }
 
-  /// v = e.[d_B + beta_B (x - x_B) + o_r] + delta, rigid or by springs.
+  /// Adds v = e.[d_B + beta_B (x - x_B) + o_r] + delta, rigid or by springs.
   void guide(const FullModel::Roller& r, const FullStructure::Roller& roller, Direction2 e,
              const std::vector<double>& x) {
     if (!f_.sector.bends()) {
@@ -303,7 +303,7 @@ class Builder {
     }
   }
 
-  /// The stops of guides with a clearance, behind the springs of all contacts.
+  /// Adds the stops of guides with a clearance, after the springs of all contacts.
   void add_stops() {
     const auto contacts = static_cast<int>(s_.model.form_springs.size());
     for (FullStructure::Guide& guide : s_.guides)
@@ -312,7 +312,7 @@ class Builder {
     if (!s_.per_force.empty()) s_.per_force.resize(s_.model.form_springs.size());
   }
 
-  /// The approach along the normal, with arms a - r_R on the screw and a + r_R on the nut.
+  /// Adds the approach along the normal, with arms a - r_R on the screw and a + r_R on the nut.
   void add_contact(Interface i, const FullModel::Roller& r, int node, std::size_t k, Direction2 e) {
     const bool screw = i == Interface::screw;
     const double sign = screw ? 1.0 : -1.0;
@@ -338,7 +338,7 @@ class Builder {
       loads.push_back({t.node, t.dof, -sign * t.coefficient});
   }
 
-  /// The nut's contacts lie at an arm from where its wall has its u, and move outwards with it.
+  /// The nut's contacts are at an arm from the u of its wall, and move outwards with the wall.
   void add_wall_motion(LinearForm& w, const SpatialNode& body, double azimuth, double along, double across) const {
     w.push_back({body.wall, Dof::theta, along * f_.nut_wall->shell.contact_arm});
     w.push_back({body.wall, Dof::v, -across});
@@ -477,7 +477,7 @@ class Motions {
   std::vector<Row> rows_;
 };
 
-/// Rows of what pushes and pulls: constraints, supports and springs.
+/// Rows of bilateral forces: constraints, supports and springs.
 std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
   std::vector<fe::LinearForm> forms;
   for (const fe::Constraint& c : model.constraints) {
@@ -487,7 +487,7 @@ std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
   for (const fe::ElasticLink& e : model.elastic_links) forms.push_back(e.form);
   for (const fe::ElasticSupport& e : model.elastic_supports) forms.push_back({{e.node, e.dof, 1.0}});
   for (const fe::FixedSupport& e : model.fixed_supports)
-    if (e.dof != Dof::u) forms.push_back({{e.node, e.dof, 1.0}});  // No part moves those of u.
+    if (e.dof != Dof::u) forms.push_back({{e.node, e.dof, 1.0}});  // No rigid part has freedoms u.
   return forms;
 }
 
@@ -498,7 +498,7 @@ Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearFo
   return rows;
 }
 
-/// Rows that are not zero, scaled to one.
+/// Rows that are not zero, scaled to norm one.
 Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
   Eigen::MatrixXd units(rows.rows(), rows.cols());
   Eigen::Index count = 0;
@@ -511,11 +511,11 @@ Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
 /// 1/|R^-1| and |R| in Frobenius' norm, which bound them; far cheaper than the values.
 bool surely_regular(const Eigen::MatrixXd& r) {
   const Eigen::MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
-  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False with NaN and infinity.
+  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // false with NaN and infinity.
 }
 
-/// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974,
-/// chapter 23); returns what is left of b.
+/// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23); returns the
+/// remaining part of b.
 Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   const double small = 1e-12 * b.norm();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
@@ -572,11 +572,11 @@ double load_left(const FullModel& f, const FullStructure& s) {
   const Motions motions(f, s);
   std::vector<fe::LinearForm> contacts;
   for (const fe::FormSpring& spring : s.model.form_springs) contacts.push_back(spring.approach);
-  fe::LinearForm& load = contacts.emplace_back();  // The last column.
+  fe::LinearForm& load = contacts.emplace_back();  // The load is the last column.
   for (const fe::NodalLoad& l : s.loads) load.push_back({l.node, l.dof, l.value / f.axial_force});
   Eigen::MatrixXd push = rows_over(motions, contacts).transpose();
 
-  // What guides and bearings take as well is of no interest: the complement of their range.
+  // Loads that guides and bearings can take are excluded: only the complement of their range counts.
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows_over(motions, bilateral(s.model)).transpose());
   push.applyOnTheLeft(qr.householderQ().adjoint());
   const auto rest = push.bottomRows(push.rows() - qr.rank());
@@ -605,7 +605,7 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s, const std::
   const auto add = [&](int spring) {
     forms.push_back(s.model.form_springs[static_cast<std::size_t>(spring)].approach);
   };
-  // Rows of a roller are linear in x: two of them span those between.
+  // Rows of a roller are linear in x: any two span those between them.
   for (const FullStructure::Roller& r : s.rollers)
     for (const Interface i : kInterfaces) {
       std::size_t first = 0, last = r.contacts[i].size();

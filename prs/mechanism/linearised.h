@@ -7,12 +7,12 @@ namespace prs {
 /// The loaded mechanism as linear springs in place of its contacts.
 struct Linearised {
   std::vector<double> tangent;  ///< Tangent stiffness of each spring [N/m].
-  std::vector<bool> closed;     ///< Whether it carries a load that counts.
+  std::vector<bool> closed;     ///< Whether it carries a significant load.
 
   bool all_closed() const { return std::ranges::find(closed, false) == closed.end(); }
 };
 
-/// Contacts of idle rollers carry nothing.
+/// Linearised mechanism; contacts of idle rollers carry nothing.
 Linearised linearised(const FullModel& model, const FullDistribution& d);
 
 }  // namespace prs

@@ -22,7 +22,7 @@ struct Freedom {
   Dof dof = Dof::u;
 };
 
-/// 1/2 q'matrix q over some freedoms of nodes: of mass or of prestress.
+/// Quadratic form 1/2 q'matrix q over some freedoms of nodes: of mass or of prestress.
 struct Quadratic {
   Share share;
   std::vector<Freedom> freedoms;
@@ -36,7 +36,7 @@ Eigen::Matrix4d hermite(double a, double b, double c, double d, double e, double
   return m;
 }
 
-/// Displacements and rotations of a beam in bending: cubic shapes (Przemieniecki 1968, chapter 11).
+/// Mass of a beam in bending over displacements and rotations: cubic shapes (Przemieniecki 1968, chapter 11).
 Eigen::Matrix4d bending_mass(double per_length, double rotary, double l) {
   return per_length * l / 420.0 * hermite(156.0, 22.0, 54.0, -13.0, 4.0, -3.0, l) +
          rotary / (30.0 * l) * hermite(36.0, 3.0, -36.0, 3.0, 4.0, -1.0, l);
@@ -45,7 +45,7 @@ Eigen::Matrix4d prestress_of(double tension, double l) {
   return tension / (30.0 * l) * hermite(36.0, 3.0, -36.0, 3.0, 4.0, -1.0, l);
 }
 
-/// The mechanism as matrices.
+/// Matrices of the vibrating mechanism.
 class Vibration {
  public:
   Vibration(const Vibrating& v, const Modes& wanted) : v_(v), wanted_(wanted), f_(v.model) {
@@ -98,7 +98,7 @@ class Vibration {
       s_.model.elastic_links.push_back({{{node, Dof::u, 1.0}}, 0.0, a.stiffness});
   }
 
-  /// The screw twists by u of nodes of its own.
+  /// Adds a drive; the twist of the screw is u of separate nodes.
   void add_drive(const Drive& drive) {
     const Material& steel = material(Share::screw);
     const double shear = steel.youngs_modulus / (2.0 * (1.0 + steel.poisson_ratio));
@@ -148,12 +148,12 @@ class Vibration {
   double roller_mass() const { return over_roller(f_.sector.thread.axial, f_.sector.end.axial); }
   double roller_inertia() const { return 2.0 * over_roller(f_.sector.thread.bending, f_.sector.end.bending); }
 
-  /// mass (form q)^2
+  /// Adds mass (form q)^2.
   void add_point(Share share, std::vector<Freedom> freedoms, const Eigen::VectorXd& form, double mass) {
     if (mass > 0.0) masses_.push_back({share, std::move(freedoms), mass * form * form.transpose()});
   }
 
-  /// A bar and a beam in one plane, with mass and prestress.
+  /// Adds a bar and a beam in one plane, with mass and prestress.
   void add_piece(Share share, int first, int second, double l, const RollerSection<double>& section, double tension,
                  bool has_bar) {
     const Material& steel = material(share);
@@ -266,7 +266,7 @@ class Vibration {
               entries.emplace_back(a, b, c * d * q.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   }
 
-  /// Lower triangles, in units of each freedom that make the diagonal of K one.
+  /// Sets lower triangles, in units of each freedom that make the diagonal of K one.
   void set_matrices() {
     const int size = equations_->size();
     fe::SparseSymmetric tangent = equations_->linear_stiffness();
@@ -286,9 +286,9 @@ class Vibration {
     stiffness_ = unit_.asDiagonal() * stiffness_ * unit_.asDiagonal();
   }
 
-  /// Vectors of the largest 1/(omega^2 + shift).
+  /// Computes the vectors of the largest 1/(omega^2 + shift).
   bool lowest(int count, double shift, Eigen::MatrixXd& vectors) const;
-  /// How many omega^2 lie below, by the signs of a triangular factorization (Sylvester).
+  /// Number of omega^2 below a value, by the signs of a triangular factorization (Sylvester).
   Eigen::Index modes_below(double square) const {
     const Eigen::SimplicialLDLT<Sparse> ldl(stiffness_ - square * mass_);
     return ldl.info() == Eigen::Success ? (ldl.vectorD().array() < 0.0).count() : 0;
@@ -300,7 +300,7 @@ class Vibration {
   const Modes& wanted_;
   FullModel f_;
   FullStructure s_;
-  std::vector<int> twist_;  ///< Node of the twist of each node of the screw, with a drive.
+  std::vector<int> twist_;  ///< Node of the twist at each node of the screw, with a drive.
   std::vector<double> tangents_;
   std::vector<Quadratic> masses_, prestress_;
   std::optional<fe::Equations> equations_;
@@ -334,7 +334,7 @@ bool Vibration::lowest(int count, double shift, Eigen::MatrixXd& vectors) const 
   return vectors.cols() == count;
 }
 
-/// Unit displacements of all, on every freedom of every node.
+/// Unit displacements of all nodes, on every freedom.
 Eigen::Matrix<double, Eigen::Dynamic, 3> Vibration::rigid() const {
   Eigen::Matrix<double, Eigen::Dynamic, 3> r =
       Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(fe::kDofsPerNode * s_.model.nodes, 3);
@@ -482,8 +482,8 @@ ModesResult Vibration::solve() const {
   }
   const int most = std::min(wanted_.count, result.freedoms);
   const double unit = 1e-9 * stiffness_.diagonal().sum() / std::max(mass_.diagonal().sum(), 1e-300);
-  // A buckled screw has modes with omega^2 < 0, which a shift brings above 0. Of two modes of one
-  // frequency Lanczos' method may find one alone: as many more are asked for as the count says.
+  // A buckled screw has modes with omega^2 < 0, which a shift moves above 0. Lanczos' method may find only one of two
+  // modes of equal frequency: the missing number is then searched again.
   constexpr int kMostBuckled = 6, kMostTries = 6;
   double shift = 0.0;
   for (int extra = 0, tries = 0; tries < kMostTries; ++tries) {

@@ -11,19 +11,19 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// What is within this of a limit is on it.
+/// Tolerance within which a value is on a limit.
 constexpr double kOnLimit = 1e-9;
 
-/// Positions that are solved one after the other.
+/// Number of positions that are solved one after the other.
 constexpr int kChunk = 64;
 
-/// Loads that differ by less are the same load, as rounding has it.
+/// Difference of loads, relative, that is only rounding.
 constexpr double kSameNormalLoad = 1e-9;
 
-/// Largest width of `values` over so many of them in a row.
+/// Largest range of `values` over this many of them in a row.
 double widest(const std::vector<double>& values, std::size_t count) {
   double width = 0.0;
-  std::vector<std::size_t> low, high;  // Candidates for the extremes, the first of each at `from`.
+  std::vector<std::size_t> low, high;  // Candidates for the extremes, the current ones at `from`.
   std::size_t low_from = 0, high_from = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const auto push = [&](std::vector<std::size_t>& queue, std::size_t& from, auto beats) {
@@ -61,7 +61,7 @@ void add_support(TravelSupport& s, const SupportForce& f, double angle) {
   s.moment.push_back(turned_by(f.moment.y, f.moment.z, angle));
 }
 
-/// Normal loads position by position.
+/// Collects normal loads position by position.
 class Collected {
  public:
   explicit Collected(const FullModel& f) : f_(f) {
@@ -105,7 +105,7 @@ class Collected {
   }
 
  private:
-  static constexpr double kMostShown = 5000.0;  ///< Positions whose loads are all kept.
+  static constexpr double kMostShown = 5000.0;  ///< Largest number of positions whose loads are all kept.
 
   const FullModel& f_;
   RollerThreads least_, most_;
@@ -197,7 +197,7 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
     FullModel f = model.model(theta);
     if (model.carrier) {
       turn_axes(f, turned);
-      for (std::size_t j = 0; j < f.present.size(); ++j)  // Rounding would make other zeros.
+      for (std::size_t j = 0; j < f.present.size(); ++j)  // Rounding would change the zeros.
         f.present[j].azimuth = first.present[j].azimuth;
     }
     const FullDistribution d = solver(f);

@@ -10,7 +10,7 @@
 
 namespace prs {
 
-/// Values that replace what the geometry gives, in the load distribution only.
+/// Values that replace those from the geometry, in the load distribution only.
 struct ContactOverrides {
   PerInterface<std::optional<double>> hertz_constant;  ///< k_0 [N/m^1.5]
   PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
@@ -26,11 +26,11 @@ struct ReportInput {
   Butterfly butterfly = Butterfly::of_mean;
 };
 
-/// What a file states besides the mechanism: bodies, materials, loads, operation, options. Blocks
-/// that the file leaves out are empty. What computes on contacts takes these conditions and the
-/// mechanism of the contacts, which is complete; that of the file is out of its reach.
+/// Contents of a case file besides the mechanism: bodies, materials, loads, operation, options. Blocks that the file
+/// leaves out are empty. Functions that compute on contacts take these conditions and the complete mechanism of the
+/// contacts, so that they cannot use the incomplete mechanism of the file by mistake.
 struct Conditions {
-  // Compiled once, in case.cpp: inline copies of so many members cost time and size in all sources that hold a case.
+  // Defined in case.cpp: inline copies of so many members cost time and size in all sources that hold a case.
   Conditions();
   Conditions(const Conditions&);
   Conditions(Conditions&&) noexcept;
@@ -62,21 +62,21 @@ inline bool has_butterflies_of_load(const Conditions& c) {
   return c.report && c.report->butterfly == ReportInput::Butterfly::of_load;
 }
 
-/// Whether slip, heat and life take the loads of a running screw, where friction and a speed stand.
+/// Whether slip, heat and life take the loads of a running screw, if friction and a speed are given.
 inline bool slip_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
   return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest && model.friction();
 }
-/// Whether `solve` does.
+/// Whether `solve` takes the loads of a running screw.
 inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
   return share == LoadCase::Share::solved && model.loads == ModelOptions::Loads::running;
 }
 
-/// omega_s/n of a load case that has one, its own or the operation's [rad/s].
+/// omega_s/n [rad/s] of a load case that has a speed, its own or the operation's.
 inline double screw_speed(const Conditions& c, const LoadCase& load) {
   return load.speed ? *load.speed : c.operation->speed;
 }
 
-/// Whether slip, heat and life have both flanks of a nut, or both nuts.
+/// Whether slip, heat and life compute both flanks of a nut, or both nuts.
 inline bool has_both_flanks(const Conditions& c, LoadCase::Share share) {
   return c.preload && share == LoadCase::Share::solved && !c.model.all_rollers();
 }
@@ -84,17 +84,16 @@ inline bool some_load_has_both_flanks(const Conditions& c) {
   return std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return has_both_flanks(c, load.share); });
 }
 
-/// Whether `life` takes running loads: not where `heat` alone would know the temperature of the oil
-/// and life does not take it.
+/// Whether `life` takes running loads: not if only `heat` gives the temperature of the oil and life ignores `heat`.
 inline bool life_takes_running_loads(const Conditions& c) {
   const bool oil_is_known = !c.lubricant || has_operating_point(*c.lubricant) || c.life->takes_heat(warms(c.heat));
   return slip_takes_running_loads(c.model, c.life->share) && c.friction && c.operation && c.operation->speed != 0.0 &&
          oil_is_known;
 }
 
-/// Everything that a file states.
+/// All that a case file states.
 struct Case : Conditions {
-  Mechanism mechanism;  ///< As stated in the file.
+  Mechanism mechanism;  ///< Mechanism as the file states it.
 };
 
 }  // namespace prs

@@ -43,7 +43,7 @@ void require_load_cases(const Case& c, Command command, Problems& problems) {
                  name(command));
 }
 
-/// Only the losses of a preloaded screw are those of something without a load.
+/// Load cases are needed, except by the losses of a preloaded screw, which has losses without a load.
 void require_loads(const Case& c, Command command, Problems& problems) {
   for (const LoadCase& load : c.load_cases)
     if (load.axial_force == 0.0)
@@ -143,13 +143,13 @@ namespace {
 constexpr std::string_view kBoth = "contact.hertz_constant and contact.normal_angle";
 constexpr std::string_view kHertz = "contact.hertz_constant";
 
-/// The parts whose contacts are all at interfaces where `given` holds.
+/// The parts all of whose contacts are at interfaces where `given` holds.
 PerPart<bool> parts_between(const PerInterface<bool>& given) {
   return {given.screw, given.screw && given.nut, given.nut};
 }
 
-/// `HEAD.TAIL` where it is void of all parts, else that of each part: `pattern` has a place for
-/// `.PART`.
+/// Adds `HEAD.TAIL` if the input is void for all parts, else the path of each part for which it is: `pattern` has a
+/// place for `.PART`.
 void add_parts(std::vector<VoidInput>& inputs, const PerPart<bool>& is_void, std::string_view before,
                std::string_view behind, std::string_view overrides) {
   if (is_void.screw && is_void.roller && is_void.nut) {
@@ -173,13 +173,13 @@ std::vector<VoidInput> void_inputs(const Case& c) {
     hertz[i] = c.contact.hertz_constant[i].has_value();
     both[i] = hertz[i] && c.contact.normal_angle[i];
   }
-  // In design mode the threads give the pitch diameters too.
+  // In design mode the pitch diameters follow from the threads, which therefore stay effective.
   if (c.mechanism.geometry == Mechanism::Geometry::simulation) {
     if (rigid_teeth) add_parts(inputs, parts_between(both), "mechanism.flank_angle", "", kBoth);
     add_parts(inputs, parts_between(both), "mechanism.profile", "", kBoth);
     if (both.screw && both.nut)
       for (const char* path : {"mechanism.profile_plane", "mechanism.centre_distance"}) inputs.push_back({path, kBoth});
-    // `refined` knows where an inverted screw is threaded, and how a roller's contacts stand.
+    // `refined` also reads where an inverted screw is threaded, and how a roller's contacts stand.
     if (both.screw && both.nut && bars)
       for (const char* path : {"mechanism.type", "mechanism.starts.roller"}) inputs.push_back({path, kBoth});
   }

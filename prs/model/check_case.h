@@ -6,12 +6,12 @@
 
 namespace prs {
 
-/// Values that contradict each other or that no mechanism can have. Each value is taken to lie in
-/// its own bounds, as the reader of the input makes sure. At most one problem for each path.
+/// Problems of values that contradict each other or that no mechanism can have, at most one per path. Each value must
+/// lie in its own bounds; the reader of the input checks that.
 std::vector<Problem> check_case(const Case& c);
 
-/// What a command needs and the case lacks: each with the block to add and an example of it. A
-/// study or an optimization needs what the command of its designs does.
+/// Inputs that a command needs and the case lacks: each with the block to add and an example. A study or an
+/// optimization needs what the command of its designs needs.
 std::vector<Problem> missing(const Case& c, Command command);
 
 // Checks of the blocks of a case, each in the file of its block. `check_case` calls them in order.
@@ -22,16 +22,16 @@ void check_meshing(const Mechanism& m, Problems& problems);
 
 void check_structure(const Structure& s, const Mechanism& m, Problems& problems);
 
-/// Checks of inputs that only some models of the bodies know.
+/// Checks of inputs that only some models of the bodies take.
 void check_bodies(const Case& c, Problems& problems);
-/// The bodies of `refined` and `influence` have teeth of half a pitch.
+/// Refuses a stated thread thickness for `refined` and `influence`, whose teeth are half a pitch thick.
 void check_thickness(const Case& c, Problems& problems);
 
-/// Checks of inputs that only a full mechanism knows, and of those that it does not know yet.
+/// Checks of inputs that only a full mechanism takes, and of those that it does not take yet.
 void check_full_mechanism(const Case& c, Problems& problems);
 
 void check_load_cases(const Case& c, Problems& problems);
-/// What `model: {loads: running}` needs of the case.
+/// Requirements of `model: {loads: running}`.
 void check_loads(const Case& c, Problems& problems);
 /// The roller's contacts, from the first at the position, must lie on the nut. `block` states it.
 void check_position(std::string_view block, double position, const Mechanism& m, const Structure::Nut& nut,
@@ -43,8 +43,7 @@ void check_deviations(const Case& c, Problems& problems);
 /// An axial or radial offset of threads must lie within `kMostDeviation`.
 void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems);
 
-/// The viscosity as it stands, or as it follows from the temperature: that of the file, or any
-/// with `heat`.
+/// Requires a viscosity, or a temperature from which it follows: the one in the file, or any with `heat`.
 void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Problems& problems);
 void check_carrier(const Carrier& carrier, Problems& problems);
 
@@ -55,50 +54,49 @@ void check_measures(const Case& c, Problems& problems);
 /// Signals from files are left out until their points are known.
 void check_response(const Case& c, Problems& problems);
 
-// What `slip` needs of the blocks that it reads.
+// Requirements of `slip` for the blocks that it reads.
 
 void require_preload(const Case& c, Problems& problems);
-/// What the temperatures of `preload` need where the case states `heat`.
+/// Requirements of the temperatures of `preload` if the case states `heat`.
 void require_warm_preload(const Case& c, Problems& problems);
-/// What `slip` needs of the law of friction and the bearings of the roller heads.
+/// Requirements of `slip` for the law of friction and the bearings of the roller heads.
 void require_friction(const Conditions& c, Problems& problems);
-/// `may_rest`: whether a speed of 0 asks for the torques that hold the screw.
+/// Requirements of `slip`. `may_rest`: whether a speed of 0 is allowed; slip then computes the torques that hold the
+/// screw.
 void require_slip(const Conditions& c, Problems& problems, bool may_rest = false);
-/// What `slip` needs where the case states `heat`.
+/// Requirements of `slip` if the case states `heat`.
 void require_heat(const Case& c, Problems& problems);
 void require_expansion(const Case& c, Problems& problems);
 
 inline constexpr std::string_view kMaterialsExample = "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";
 
-/// An input that would move the load distribution, but for overrides that stand in for what it
-/// gives: loads, displacements and stiffness do not follow it.
+/// An input without effect on loads, displacements and stiffness, because overrides replace what would follow from it.
 struct VoidInput {
   std::string path;                 ///< `mechanism.flank_angle`, or of one part.
-  std::string_view overrides = {};  ///< The keys that make it void.
+  std::string_view overrides = {};  ///< Keys of the overrides that make it void.
 };
 
-/// What the overrides of a case under `contact` make void. Of the threads the load distribution
-/// reads k_0 and psi of each interface, pitch diameters, lead, the screw's starts, numbers of
-/// rollers and contacts (docs/load_distribution.md), `refined` also thread heights and Poisson's
-/// ratios, Yamamoto's teeth also flank angles, `influence` whole profiles. Flank angles, profiles
-/// and their plane, and the centre distance act through k_0 and psi alone where all radii are
-/// given; Poisson's ratios through k_0 alone where the roller's beams have no shear. Ellipses,
-/// pressures, capacities and slip follow the geometry all the same. Empty without a structure, as
-/// nothing is solved then.
+/// Inputs that the overrides under `contact` make void. The load distribution reads k_0 and psi of each interface, and
+/// of the threads pitch diameters, lead, the screw's starts, numbers of rollers and contacts
+/// (docs/load_distribution.md); `refined` also reads thread heights and Poisson's ratios, Yamamoto's teeth also flank
+/// angles, `influence` whole profiles. Flank angles, profiles and their plane, and the centre distance act through k_0
+/// and psi alone where all radii are given; Poisson's ratios through k_0 alone where the roller's beams have no shear.
+/// Ellipses, pressures, capacities and slip follow the geometry in every case. Empty without a structure, as nothing is
+/// solved then.
 std::vector<VoidInput> void_inputs(const Case& c);
 
-/// How each is no longer void.
+/// Advice on how to make void inputs effective again.
 inline constexpr std::string_view kDeleteOverrides = "delete the overrides to compute all from the geometry";
 
-/// The void input that a path names or leads into; null where none does.
+/// The void input that a path names or leads into; null if there is none.
 const VoidInput* find_void(const std::vector<VoidInput>& inputs, std::string_view path);
 
-/// Warnings of `prs check`: which inputs are void, why, and how they are not.
+/// Warnings of `prs check`: which inputs are void, why, and how to make them effective.
 std::vector<Warning> void_input_warnings(const Case& c);
 
-/// Adds that the load cases are solved one by one, each on the contacts that it closes.
+/// Adds a warning that the load cases are solved one by one, each on the contacts that it closes.
 void add_preload_note(const Case& c, std::vector<Warning>& warnings);
-/// Adds that the load cases are solved with all parts at the reference temperature.
+/// Adds a warning that the load cases are solved with all parts at the reference temperature.
 void add_heat_note(const Case& c, std::vector<Warning>& warnings);
 
 }  // namespace prs

@@ -8,16 +8,15 @@ namespace prs {
 struct Case;
 class Problems;
 
-/// A command that the program runs on a case: its word on the command line and in studies, and what
-/// a case must state for it.
+/// A command that the program runs on a case: its name on the command line and in studies, and the inputs it needs.
 struct Command {
   std::string_view word;
-  /// Adds what the case lacks: each with the block to add and an example of it.
+  /// Adds inputs that the case lacks: each with the block to add and an example.
   void (*needs)(const Case&, Problems&) = nullptr;
   /// Whether the loads of threads that it takes are those of a running screw; none where it takes none.
   bool (*takes_running_loads)(const Case&) = nullptr;
 
-  // Commands that other parts name. Blocks of searches: see input::unmet.
+  // Commands that other sources name. Blocks of searches: see input::unmet.
   static const Command check, contact, solve, compare, slip, preload, life, measures, response, study, optimize, fit,
       size;
 
@@ -25,7 +24,7 @@ struct Command {
   friend constexpr auto operator<=>(const Command& a, const Command& b) { return a.word <=> b.word; }
 };
 
-// What a case must state, see check_case.cpp and load_case_check.cpp.
+// Requirements of the commands, see check_case.cpp and load_case_check.cpp.
 void need_solve(const Case& c, Problems& problems);
 void need_compare(const Case& c, Problems& problems);
 void need_slip(const Case& c, Problems& problems);

@@ -13,9 +13,9 @@ struct PitchWave {
   double phase = 0.0;      ///< [rad]
 };
 
-/// Axial position error of a part's threads along the loaded length: the sum of all three.
+/// Axial position error of a part's threads along the loaded length: the sum of the three members.
 struct PitchError {
-  double linear = 0.0;  ///< At the last contact, 0 at the first [m].
+  double linear = 0.0;  ///< Error at the last contact, 0 at the first [m].
   std::optional<PitchWave> periodic;
   std::vector<double> list;  ///< One per contact, or none [m].
   /// One list per roller of a full mechanism in place of `list`, or none.
@@ -24,8 +24,8 @@ struct PitchError {
 
 /// Straight taper of the roller's pitch radius at both ends.
 struct EndRelief {
-  double drop = 0.0;  ///< At the outermost contact [m].
-  int threads = 1;    ///< Contacts at each end that it reaches over.
+  double drop = 0.0;  ///< Drop of the radius at the outermost contact [m].
+  int threads = 1;    ///< Number of relieved contacts at each end.
 };
 
 /// An error that turns with its part: `amount` at the azimuth `angle` of the part.
@@ -54,7 +54,7 @@ struct LeadWave {
   bool operator==(const LeadWave&) const = default;
 };
 
-/// A lead error as it was measured, straight between places.
+/// Measured lead error, linear between the places `at`.
 struct MeasuredLead {
   std::vector<double> at;         ///< xi, rising [m].
   std::vector<double> deviation;  ///< [m]
@@ -62,8 +62,8 @@ struct MeasuredLead {
   bool operator==(const MeasuredLead&) const = default;
 };
 
-/// Errors of the thread of screw or nut that turn with it. A place xi along the part is counted
-/// from where the first contact stands before anything turns.
+/// Errors of the thread of screw or nut that turn with it. xi along the part is counted from the place of the first
+/// contact before anything turns.
 struct TurningThread {
   TurningError eccentricity;
   TurningError wobble;
@@ -102,7 +102,7 @@ struct TurningRollers {
   bool operator==(const TurningRollers&) const = default;
 };
 
-/// Errors that turn with their part, of a full mechanism.
+/// Errors of a full mechanism that turn with their part.
 struct Turning {
   PerInterface<TurningThread> thread;
   TurningRollers rollers;
@@ -110,25 +110,25 @@ struct Turning {
   bool operator==(const Turning&) const = default;
 };
 
-/// Errors of position beyond this share of the pitch are other threads, or other units.
+/// Largest error of position, as a share of the pitch: a larger one means other threads, or a wrong unit.
 inline constexpr double kMostDeviation = 0.25;
 
-/// How the real parts of one sector differ from their nominal geometry. SI units.
+/// Deviations of the real parts of one sector from their nominal geometry. SI units.
 struct Deviations {
-  PerPart<PitchError> pitch_error;  ///< > 0 away from the loaded end of the screw.
-  double roller_diameter = 0.0;     ///< Pitch diameter above the nominal one [m].
-  double crowning = 0.0;            ///< Parabolic drop of the roller's pitch radius at first and last contact.
+  PerPart<PitchError> pitch_error;  ///< Positive away from the loaded end of the screw.
+  double roller_diameter = 0.0;     ///< Excess of the pitch diameter over the nominal one [m].
+  double crowning = 0.0;            ///< Parabolic drop of the roller's pitch radius at first and last contact [m].
   std::optional<EndRelief> end_relief;
-  std::optional<PerPart<double>> temperature;  ///< Uniform in each part [K].
+  std::optional<PerPart<double>> temperature;  ///< Temperature, uniform in each part [K].
   double reference_temperature = 293.15;       ///< Temperature of the nominal geometry [K].
 
-  // Of a full mechanism.
+  // Members from here on: full mechanism only.
   std::vector<double> roller_diameters;         ///< One per roller in place of `roller_diameter`, or none.
-  PerEnd<std::vector<double>> roller_position;  ///< Outwards, one per roller, or none [m].
+  PerEnd<std::vector<double>> roller_position;  ///< Outward displacement, one per roller, or none [m].
   std::vector<int> missing_rollers;             ///< Numbers of the missing rollers, from 1.
   /// Axial position error of each start, or none [m].
   PerInterface<std::vector<double>> index_error;
-  PerInterface<Lateral> thread_eccentricity;  ///< Axis of the thread on screw and nut [m].
+  PerInterface<Lateral> thread_eccentricity;  ///< Offset of the thread's axis on screw and nut [m].
   Turning turning;
 };
 

@@ -5,7 +5,7 @@
 
 namespace prs {
 
-/// Least life, as time or as travel: one of the two is given.
+/// Required life, as time or as travel: one of the two is given.
 struct LeastLife {
   std::optional<double> duration = {};  ///< [s]
   std::optional<double> travel = {};    ///< [m]
@@ -15,19 +15,19 @@ struct LeastLife {
 struct Limits {
   std::optional<LeastLife> life;
   std::optional<double> static_safety;
-  std::optional<double> peak_pressure;  ///< Greatest [Pa].
+  std::optional<double> peak_pressure;  ///< Upper limit [Pa].
   std::optional<double> buckling_safety;
-  std::optional<double> critical_speed_share;  ///< Greatest speed over the critical one.
-  std::optional<double> speed_times_diameter;  ///< Greatest n d [m/s], n in revolutions.
-  std::optional<double> nut_diameter;          ///< Greatest, between flanges [m].
-  std::optional<double> nut_length;            ///< Greatest [m].
-  std::optional<double> weight;                ///< Greatest, nut, rollers and screw [kg].
-  std::optional<double> stiffness;             ///< Least [N/m].
-  std::optional<double> efficiency;            ///< Least.
-  std::optional<double> temperature;           ///< Greatest [K].
+  std::optional<double> critical_speed_share;  ///< Upper limit of speed over critical speed.
+  std::optional<double> speed_times_diameter;  ///< Upper limit of n d [m/s], n in revolutions.
+  std::optional<double> nut_diameter;          ///< Upper limit, flanges not counted [m].
+  std::optional<double> nut_length;            ///< Upper limit [m].
+  std::optional<double> weight;                ///< Upper limit for nut, rollers and screw [kg].
+  std::optional<double> stiffness;             ///< Lower limit [N/m].
+  std::optional<double> efficiency;            ///< Lower limit.
+  std::optional<double> temperature;           ///< Upper limit [K].
 };
 
-/// What the limits of a case contradict.
+/// Contradictions between the limits and the rest of a case.
 std::vector<Problem> check_limits(const Limits& limits, const Conditions& c);
 
 }  // namespace prs

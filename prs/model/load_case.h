@@ -15,21 +15,21 @@ constexpr double sense(Direction d) { return d == Direction::tension ? -1.0 : 1.
 
 constexpr std::string_view name(Direction d) { return d == Direction::tension ? "tension" : "compression"; }
 
-/// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
+/// Source of the power: force x speed x lead > 0 of a screw that drives its load.
 enum class DrivenBy { screw, load };
 
 constexpr std::string_view name(DrivenBy by) { return by == DrivenBy::screw ? "screw" : "load"; }
 
-/// What acts on a full mechanism besides the axial force, and how its parts stand.
+/// Loads on a full mechanism besides the axial force, and positions of its parts.
 struct SpatialLoad {
   /// A side force [N] or a moment [N m] on the screw; at the loaded section where `at` is absent.
   struct Across {
     Lateral value;
-    std::optional<double> at;  ///< x, on the nut's axis [m].
+    std::optional<double> at;  ///< x on the nut's axis [m].
 
     bool operator==(const Across&) const = default;
   };
-  /// A turn of the carrier by one spacing of the rollers.
+  /// Loads averaged while the carrier turns by one spacing of the rollers.
   struct Orbit {
     int steps = 8;
     double exponent = 3.0;  ///< Exponent of equivalent loads.
@@ -44,7 +44,7 @@ struct SpatialLoad {
   Lateral nut_offset;  ///< Displacement of the seat of the nut [m].
   std::optional<Orbit> orbit;
 
-  /// Whether threads carry, and the screw moves, without any axial force.
+  /// Whether threads carry load, and the screw moves, without any axial force.
   bool acts_across() const {
     return side_force.value != Lateral{} || moment.value != Lateral{} || nut_tilt != Lateral{} ||
            nut_offset != Lateral{};
@@ -56,57 +56,58 @@ struct SpatialLoad {
 struct Travel {
   enum class Part { screw, nut };
   enum class SlipRatio {
-    rolling,  ///< Ratio of pitch cylinders that roll: d_S/(d_S + d_N).
-    ideal,    ///< For which the sliding interface slides least.
-    solved,   ///< The ratio that slip finds.
+    rolling,  ///< Ratio of rolling pitch cylinders: d_S/(d_S + d_N).
+    ideal,    ///< Ratio at which the sliding interface slides least.
+    solved,   ///< Ratio that the slip analysis finds.
   };
-  int turns = 1;      ///< Turns of the screw against the nut; < 0 back.
+  int turns = 1;      ///< Turns of the screw against the nut; < 0 backwards.
   int steps = 36;     ///< Positions in a turn.
-  double from = 0.0;  ///< [rad]
+  double from = 0.0;  ///< Angle of the first position [rad].
   Part part = Part::screw;
   SlipRatio slip_ratio = SlipRatio::rolling;
-  double stated_slip_ratio = std::numeric_limits<double>::quiet_NaN();  ///< In place of it.
+  /// Slip ratio that replaces the above if it is a number.
+  double stated_slip_ratio = std::numeric_limits<double>::quiet_NaN();
 
-  /// M: the travel has one position more.
+  /// M, number of the last position: there are M + 1 positions.
   int last() const { return std::abs(turns) * steps; }
   /// theta of position k [rad].
   double angle(int k) const { return from + (turns < 0 ? -2.0 : 2.0) * std::numbers::pi * k / steps; }
 };
 
-/// What holds the mechanism along its axis while it vibrates.
+/// Axial support of the mechanism while it vibrates.
 struct AxialSupport {
   enum class At {
     nut,
-    screw,         ///< The loaded section; the nut is free along the axis.
-    screw_spring,  ///< The same on a spring.
+    screw,         ///< Fixed at the loaded section; the nut is free along the axis.
+    screw_spring,  ///< On a spring at the loaded section; the nut is free along the axis.
   };
   At at = At::nut;
   double stiffness = 0.0;  ///< Stiffness of the spring [N/m].
 };
 
-/// Natural frequencies that are asked for, full mechanism only.
+/// Natural frequencies to compute, full mechanism only.
 struct Modes {
   int count = 10;
   AxialSupport axial_support;
   bool prestress = false;
-  std::optional<int> positions;  ///< Positions of the travel with frequencies of their own.
+  std::optional<int> positions;  ///< Number of positions of the travel at which frequencies are computed.
 };
 
-/// The load case that a written candidate has beside those of its cycle, driven by the load: no
-/// headline is taken from it.
+/// Name of the back-driven load case that a written candidate has besides those of its cycle; headline values ignore
+/// it.
 inline constexpr std::string_view kBackDriving = "back-driving";
 
-/// One load on the mechanism. A range in the input has been expanded to one case per point.
+/// One load on the mechanism. A range in the input becomes one case per point.
 struct LoadCase {
-  /// How the load spreads over the threads: solved from the structure, or equal by assumption.
+  /// Distribution of the load over the threads: solved from the structure, or assumed equal.
   enum class Share { solved, equal };
 
   std::string name;
   double axial_force = 0.0;  ///< [N]; > 0 with `direction`, else signed (I2J1 if < 0).
   std::optional<Direction> direction = {};
-  std::optional<double> position = {};  ///< First roller contact on the nut [m].
+  std::optional<double> position = {};  ///< Position of the first roller contact on the nut [m].
   Share share = Share::solved;
-  std::optional<double> speed = {};  ///< [rad/s], overrides the operation's.
+  std::optional<double> speed = {};  ///< Speed that replaces the operation's [rad/s].
   SpatialLoad spatial = {};
   std::optional<Travel> travel = {};
   std::optional<Modes> modes = {};
@@ -153,11 +154,11 @@ struct LoadSweep {
   double from = 0.0;
   double to = 0.0;
   int steps = 41;
-  std::vector<double> loads = {};  ///< In place of these, where there are any.
+  std::vector<double> loads = {};  ///< Loads that replace the range, if any.
 };
 
-/// How a mechanism is rid of its play, and the loads that it is asked about. One of `force`,
-/// `interference` and `backlash` is given.
+/// How play is removed from a mechanism, and the external loads of its curve. One of `force`, `interference` and
+/// `backlash` is given.
 struct Preload {
   enum class Arrangement {
     single_nut,  ///< Rollers wedged in the grooves of screw and nut, on both flanks.
@@ -169,17 +170,19 @@ struct Preload {
   /// Single nut: pitch diameter of the rollers above the one that just fills the grooves. Double
   /// nut: length of the spacer above the one that just touches [m].
   std::optional<double> interference;
-  std::optional<double> backlash;  ///< Axial play in place of preload [m].
-  double position = 0.0;           ///< First roller contact on the first nut [m].
-  std::optional<Spacer> spacer;    ///< Double nut only.
-  std::optional<double> distance;  ///< Last contact of the first nut to the second's first [m].
+  std::optional<double> backlash;  ///< Axial play instead of preload [m].
+  double position = 0.0;           ///< Position of the first roller contact on the first nut [m].
+  std::optional<Spacer> spacer;    ///< Ring of a double nut.
+  /// Distance from the last contact of the first nut to the first contact of the second [m].
+  std::optional<double> distance;
   LoadSweep load;
-  /// Load case at whose steady temperatures the curve holds, with `heat`; the first by default.
+  /// Load case whose steady temperatures the curve is computed at, with `heat`; the first by default.
   std::optional<std::string> load_case;
-  std::optional<double> lost_motion_load;  ///< [N]; `kLostMotionShare` of the largest if absent.
+  /// Load at which lost motion is read [N]; `kLostMotionShare` of the largest if absent.
+  std::optional<double> lost_motion_load;
 };
 
-/// Share of the largest load of the curve at which the lost motion is read where none is given.
+/// Default load at which lost motion is read, as a share of the largest load of the curve.
 inline constexpr double kLostMotionShare = 0.05;
 
 /// Axial position of the first contact on the second nut of a double nut [m].
@@ -196,28 +199,27 @@ struct CsvColumn {
   bool operator==(const CsvColumn&) const = default;
 };
 
-/// Loads over time or travel, from a file: one row per sample. How far the screw turns between two
-/// samples follows from `position`, from `speed` and the time, or from the operation's speed and
-/// the time.
+/// Loads over time or travel, from a file: one row per sample. The screw's turning between two samples follows from
+/// `position`, from `speed` and the time, or from the operation's speed and the time.
 struct HistorySource {
-  std::string file;                        ///< Relative to the input file.
-  std::optional<std::string> sha256 = {};  ///< SHA-256 of the file that is meant, hexadecimal.
-  CsvColumn force;                         ///< > 0 in tension.
+  std::string file;                        ///< Path relative to the input file.
+  std::optional<std::string> sha256 = {};  ///< Expected SHA-256 of the file, hexadecimal.
+  CsvColumn force;                         ///< Column of the force, > 0 in tension.
   std::optional<CsvColumn> time;
-  std::optional<double> interval;  ///< Between two samples [s], in place of `time`.
+  std::optional<double> interval;  ///< Time between two samples [s], if there is no column `time`.
   std::optional<CsvColumn> position;
   std::optional<CsvColumn> speed;
-  /// Who drives, of running loads. By travel: the position grows as the screw moves out at its
-  /// loaded end, so that force x change > 0 is driven by the load; a speed counts as in slip.
+  /// Source of the power under running loads. `travel`: position grows as the screw moves out at its loaded end, so
+  /// that the load drives if force x change > 0; a speed counts as in slip.
   enum class DrivenBy { travel, screw, load };
-  std::optional<DrivenBy> driven_by;  ///< Absent: travel where position or speed tells it.
-  double hysteresis = 0.0;            ///< Ranges up to this are no load cycles [N].
-  int bins = 32;                      ///< Classes of the cycle matrix, along range and mean.
+  std::optional<DrivenBy> driven_by;  ///< If absent: travel where position or speed shows it.
+  double hysteresis = 0.0;            ///< Largest range that does not count as a load cycle [N].
+  int bins = 32;                      ///< Number of classes of the cycle matrix, along range and mean.
 
   bool operator==(const HistorySource&) const = default;
 };
 
-/// A load of a spectrum and how long it acts; one of the last four is given.
+/// A load of a spectrum and how long it acts; one of the last four members before `driven_by` is given.
 struct SpectrumLoad {
   double force = 0.0;  ///< [N], > 0
   Direction direction = Direction::tension;
@@ -225,12 +227,12 @@ struct SpectrumLoad {
   std::optional<double> distance = {};     ///< Travel under the load [m].
   std::optional<double> duration = {};     ///< Time at the operation's speed [s].
   std::optional<double> share = {};        ///< Share of all revolutions.
-  DrivenBy driven_by = DrivenBy::screw;    ///< Who drives under running loads.
+  DrivenBy driven_by = DrivenBy::screw;    ///< Source of the power under running loads.
 };
 
-/// Which temperatures the parts have in `life` with a block `heat`.
+/// Temperatures of the parts in `life` if there is a block `heat`.
 enum class LifeTemperatures {
-  heat,       ///< Those of the mean heat of the whole spectrum.
+  heat,       ///< Temperatures from the mean heat of the whole spectrum.
   reference,  ///< The reference temperature of all parts.
 };
 
@@ -240,34 +242,33 @@ struct Life {
   std::vector<SpectrumLoad> spectrum;
   LoadCase::Share share = LoadCase::Share::solved;
   LifeTemperatures temperatures = LifeTemperatures::heat;
-  std::optional<double> position;  ///< First roller contact on the nut [m].
-  /// Clock time of one pass of the spectrum, rests and ways without force included [s].
+  std::optional<double> position;  ///< Position of the first roller contact on the nut [m].
+  /// Clock time of one pass of the spectrum, with rests and travel without force [s].
   std::optional<double> period;
-  std::optional<double> travel;            ///< Travel of one pass in both senses, ways without force included [m].
-  std::optional<double> stroke;            ///< Way between the extreme positions under load [m].
-  std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], in place of Lemor's.
+  std::optional<double> travel;            ///< Travel of one pass in both senses, with travel without force [m].
+  std::optional<double> stroke;            ///< Distance between the extreme positions under load [m].
+  std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], replaces Lemor's.
   std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
-  double reliability = 0.90;               ///< Share that shall reach the rated life.
+  double reliability = 0.90;               ///< Probability of reaching the rated life.
   double modification_factor = 1.0;        ///< a_ISO of ISO 281, of the rated life.
-  std::optional<double> contamination;     ///< e_C of ISO 281, for an a_ISO that is shown beside it.
-  /// Full mechanism only: the load case whose side loads, misalignment and orbit hold for all
-  /// forces.
+  std::optional<double> contamination;     ///< e_C of ISO 281, for an a_ISO that is shown besides.
+  /// Load case whose side loads, misalignment and orbit apply to all forces; full mechanism only.
   std::optional<std::string> load_case;
   /// Whether the temperatures of the parts follow from a block `heat`.
   bool takes_heat(bool has_heat) const {
     return has_heat && share == LoadCase::Share::solved && temperatures == LifeTemperatures::heat;
   }
-  double fatigue_slope = 5.0;  ///< k of the equivalent load range: FKM, steel, normal stress.
+  double fatigue_slope = 5.0;  ///< Exponent k of the equivalent load range: FKM, steel, normal stress.
 };
 
-/// Samples of a load over time or travel, SI. Empty where the file has no such column.
+/// Samples of a load over time or travel, SI units. Members without a column in the file are empty.
 struct LoadHistory {
   std::vector<double> force;       ///< > 0 in tension [N]
   std::vector<double> time;        ///< [s], not decreasing
   std::vector<double> position;    ///< [m]
   std::vector<double> speed;       ///< [rad/s], of either sign
-  bool speed_along_axis = false;   ///< Speeds are those of the travel [m/s].
-  std::optional<double> interval;  ///< Between two samples [s], where `time` is empty.
+  bool speed_along_axis = false;   ///< Whether speeds are those of the travel [m/s].
+  std::optional<double> interval;  ///< Time between two samples [s], if `time` is empty.
 };
 
 }  // namespace prs

@@ -7,7 +7,7 @@
 namespace prs {
 namespace {
 
-/// Under preload the screw also runs without a load.
+/// A force of 0 is allowed under preload only.
 void check_force(const LoadCase& load, bool preloaded, Problems& problems) {
   const double written = load.axial_force;
   const bool may_be_zero = preloaded && load.is_solved();
@@ -17,7 +17,7 @@ void check_force(const LoadCase& load, bool preloaded, Problems& problems) {
                load.direction ? "`direction` gives its sense" : "give it a value");
 }
 
-/// Places of the first contact for which all are on the nut [m].
+/// Positions of the first contact for which all contacts are on the nut [m].
 struct RoomOnNut {
   double span, last, tolerance;
 
@@ -93,7 +93,7 @@ void check_thrust(Direction direction, std::string_view load, const Structure::N
 }
 
 void check_load_cases(const Case& c, Problems& problems) {
-  // Few names, as designs of a study have them, are compared one by one, which takes no memory.
+  // Longest list of names that is compared pair by pair, which takes no memory: designs of a study have few.
   constexpr std::size_t kFew = 64;
   std::unordered_set<std::string_view> names;
   const auto is_repeated = [&](const LoadCase& load) {
@@ -236,7 +236,7 @@ void check_spectrum(const Case& c, Problems& problems) {
                  shares);
 }
 
-/// How far the screw turns between two samples.
+/// Checks that the turning of the screw between two samples is known.
 void check_history(const Case& c, Problems& problems) {
   const HistorySource& h = *c.life->history;
   if (h.position) return;
@@ -252,7 +252,7 @@ void check_history(const Case& c, Problems& problems) {
                  "for example");
 }
 
-/// Checks what the sides are built from with preload.
+/// Checks the inputs from which the sides of a preloaded mechanism are made.
 void check_preloaded_life(const Case& c, Problems& problems) {
   if (c.preload->arrangement == Preload::Arrangement::double_nut && c.life->position &&
       std::abs(*c.life->position - c.preload->position) > kSamePlace * c.structure->nut.length)
@@ -262,7 +262,7 @@ void check_preloaded_life(const Case& c, Problems& problems) {
                  mm(*c.life->position), mm(c.preload->position));
 }
 
-/// The load case whose side loads act together with the forces of `life`.
+/// Checks the load case whose side loads act together with the forces of `life`.
 void check_load_case_of_life(const Case& c, Problems& problems) {
   if (!c.life->load_case || !c.model.all_rollers()) return;
   if (c.life->share == LoadCase::Share::equal) {
@@ -283,7 +283,7 @@ void check_load_case_of_life(const Case& c, Problems& problems) {
                *c.life->load_case, names.empty() ? "the file has none" : names);
 }
 
-/// Side loads that differ between load cases leave open which act together with the forces.
+/// Requires a choice of load case if side loads differ between them.
 void require_load_case_of_life(const Case& c, Problems& problems) {
   if (!c.model.all_rollers() || c.life->load_case || c.life->share == LoadCase::Share::equal) return;
   const SpatialLoad* first = nullptr;
@@ -299,7 +299,7 @@ void require_load_case_of_life(const Case& c, Problems& problems) {
   }
 }
 
-/// What the losses need that give the temperatures of the parts.
+/// Requirements of the losses that give the temperatures of the parts.
 void require_warm_life(const Case& c, Problems& problems) {
   constexpr std::string_view kWhy =
       " for `life` at the temperatures of `heat`, or "

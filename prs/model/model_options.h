@@ -14,20 +14,20 @@ struct RefinedEffects {
   bool hoop = true;           ///< The nut expands radially, as a shell on its hoop foundation.
   bool poisson = true;        ///< Axial stress and radial displacement are coupled.
   bool flange = true;         ///< The nut bends where its section changes and at its shoulder.
-  bool radial = true;         ///< Screw, roller and nut wall give way radially at a thread.
+  bool radial = true;         ///< Walls of screw, roller and nut yield radially at a thread.
   bool concentration = true;  ///< Contacts are rows of points, not rings.
 };
 
-/// Points along each axis of a contact patch from which on the load that its n x n points carry is
-/// right within 1.6 % (Sandu's weights are not normalised): 8 points miss it by 2.6 %, 5 by 6.5 %,
-/// one by 91 %, and the power lost with it. Even and odd numbers do as well.
+/// Fewest points along each axis of a contact patch for which the sum of its n x n loads is within 1.6 % of the load
+/// (Sandu's weights are not normalised): 8 points miss it by 2.6 %, 5 by 6.5 %, one by 91 %, and the lost power
+/// likewise. Odd and even numbers are equally good.
 inline constexpr int kFewestPatchPoints = 9;
 
 /// Choices of the model.
 struct ModelOptions {
   using Bodies = const BodyModel*;  ///< Never null.
   enum class Roller { flexible, rigid_bending };
-  /// Loads on which slip and all that follows from it stand: a screw at rest, or one that turns with its friction.
+  /// Loads that slip and all results after it are computed from: a screw at rest, or one that turns with its friction.
   enum class Loads { at_rest, running };
   /// Positions at which the two loaded flanks of a roller tooth meet screw and nut. Half a turn of
   /// a helical roller is half a pitch times its starts, so that with an odd number of starts the
@@ -37,7 +37,7 @@ struct ModelOptions {
   struct ToothCompliance {
     enum class Kind { none, yamamoto };
     Kind kind = Kind::none;
-    double width = 0.0;  ///< Width of thread that a contact loads [m].
+    double width = 0.0;  ///< Width of thread loaded by a contact [m].
   };
   /// One roller with its share of screw and nut, or all rollers on a spatial screw and nut.
   enum class Mechanism { sector, full };
@@ -49,16 +49,16 @@ struct ModelOptions {
 
   Mechanism mechanism = Mechanism::sector;
   ContactPhase contact_phase = ContactPhase::equal;
-  bool shear = false;  ///< Timoshenko's beams in screw, nut and rollers of a full mechanism.
+  bool shear = false;  ///< Timoshenko beams in screw, nut and rollers of a full mechanism.
   Bodies bodies = &kBars;
-  std::optional<Loads> loads;  ///< Absent: at rest for `solve`, running for slip and life.
+  std::optional<Loads> loads;  ///< If absent: at rest for `solve`, running for slip and life.
   Roller roller = Roller::flexible;
   bool roller_shear = false;                      ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
-  std::optional<RollerContacts> roller_contacts;  ///< By the starts where absent; bars: opposite.
+  std::optional<RollerContacts> roller_contacts;  ///< If absent: by the starts; bars: opposite.
   ToothCompliance tooth_compliance;
   RefinedEffects refined;
   Accuracy accuracy = Accuracy::working;
-  int patch_points = 21;  ///< Along each axis of a contact patch, kFewestPatchPoints or more.
+  int patch_points = 21;  ///< Points along each axis of a contact patch, kFewestPatchPoints or more.
 
   bool all_rollers() const { return mechanism == Mechanism::full; }
   // These are as `mechanism` has it.
@@ -70,24 +70,24 @@ constexpr std::string_view name(ModelOptions::Loads loads) {
   return loads == ModelOptions::Loads::running ? "running" : "static";
 }
 
-/// The stated arrangement, else that of a helical roller.
+/// The stated arrangement, else the one of a helical roller.
 inline ModelOptions::RollerContacts roller_contacts(const ModelOptions& model, int roller_starts) {
   using enum ModelOptions::RollerContacts;
   return model.roller_contacts.value_or(roller_starts % 2 == 1 ? opposite : half_pitch_apart);
 }
 
-/// Name of a model: that of its bodies, or `full` of all rollers.
+/// Name of a model: that of its bodies, or `full` for all rollers.
 inline std::string_view name_of_model(const ModelOptions& m) { return m.all_rollers() ? "full" : m.bodies->name; }
 
-/// How much of a result to compute.
+/// Extent of a computed result.
 enum class Detail {
   complete,
   numbers,  ///< Without warnings and without stresses below the surface, for studies.
 };
 
-/// What the design measures need besides the mechanism, its structure and its loads. SI units.
+/// Inputs of the design measures besides the mechanism, its structure and its loads. SI units.
 struct MeasureOptions {
-  /// How the two ends of the loaded length of the screw are held.
+  /// Supports of the two ends of the loaded length of the screw.
   enum class Ends {
     fixed_free,
     supported_supported,
@@ -95,29 +95,29 @@ struct MeasureOptions {
     fixed_fixed,
   };
   struct Shaft {
-    double length = 0.0;  ///< Greatest distance between the supports of the screw [m].
+    double length = 0.0;  ///< Largest distance between the supports of the screw [m].
     Ends ends = Ends::supported_supported;
-    std::optional<double> stroke = {};  ///< Way of the nut along the screw [m].
+    std::optional<double> stroke = {};  ///< Travel of the nut along the screw [m].
   };
 
-  /// What stands in series with the mechanism between drive and load; what is left out is rigid.
+  /// Elements in series with the mechanism between drive and load; an absent one is rigid.
   struct System {
     enum class Axial { one_end, both_ends };  ///< Ends at which axial bearings hold the shaft.
-    /// From the loaded section of the screw to its bearings; unlike `MeasureOptions::shaft`, which
-    /// is for buckling and critical speed and has a length of its own.
+    /// Shaft from the loaded section of the screw to its bearings; unlike `MeasureOptions::shaft`, which is for
+    /// buckling and critical speed and has a length of its own.
     struct Shaft {
       double length = 0.0;  ///< L to the one axial bearing, or between the two [m].
       Axial axial = Axial::one_end;
       std::optional<double> from_bearing;    ///< x from the nearer one of two bearings [m].
-      std::optional<double> torsion_length;  ///< L_t to where rotation is held; default L [m].
+      std::optional<double> torsion_length;  ///< L_t to the section held against rotation; default L [m].
     };
     std::optional<Shaft> shaft;
-    std::optional<double> support_bearing;  ///< All bearings of the shaft together [N/m].
+    std::optional<double> support_bearing;  ///< Stiffness of all bearings of the shaft together [N/m].
     std::optional<double> housing;          ///< [N/m]
   };
 
-  std::optional<double> loaded_width;          ///< Thread width that one contact loads, for Yamamoto [m].
-  std::optional<double> friction_coefficient;  ///< For the estimate of efficiency.
+  std::optional<double> loaded_width;          ///< Thread width loaded by one contact, for Yamamoto [m].
+  std::optional<double> friction_coefficient;  ///< Coefficient for the estimate of efficiency.
   std::optional<double> yield_strength;        ///< [Pa]
   std::optional<Shaft> shaft;
   std::optional<System> system;

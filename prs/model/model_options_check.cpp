@@ -40,7 +40,7 @@ void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double de
   const double inner = pitch_diameter + (meshed ? 2.0 * dedendum : 0.0);
   const double pitches = meshed ? kLeastMeshedWall : kLeastWall;
   const double least = inner + 2.0 * pitches * pitch;
-  // Paths are made where they are told alone: studies check each design.
+  // Paths are built for an error only: studies check each design.
   const auto check = [&](auto path, double outer, std::string_view what) {
     if (outer < least)
       problems.add(path(),
@@ -154,8 +154,7 @@ void check_thickness(const Case& c, Problems& problems) {
 
 namespace {
 
-/// Keys that a sector does not know. Every design of a study comes by: no text is made of keys that
-/// do not stand.
+/// Refuses keys that a sector does not take. No text is built for absent keys, as every design of a study passes here.
 void refuse_in_sector(const Case& c, Problems& problems) {
   const auto refuse = [&](bool stands, std::string_view block, std::string_view key) {
     if (!stands) return;
@@ -264,7 +263,7 @@ void check_missing_rollers(const Case& c, Problems& problems) {
   if (c.life) refuse_equal(c.life->share, "life.share");
 }
 
-/// Loads and places that only an equilibrium can follow.
+/// Refuses loads and places that need an equilibrium if shares are equal.
 void check_equal_shares(const Case& c, Problems& problems) {
   const SpatialLoad none;
   for (const LoadCase& load : c.load_cases) {
@@ -286,10 +285,10 @@ void check_equal_shares(const Case& c, Problems& problems) {
   }
 }
 
-/// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
+/// Largest rotation, for which sin(x) = x, as the model assumes, holds within 0.13 % [rad].
 constexpr double kMostRotation = 5.0 * std::numbers::pi / 180.0;
 
-/// Values that turn with screw, nut and rollers.
+/// Checks values that turn with screw, nut and rollers.
 void check_turning(const Case& c, Problems& problems) {
   const Turning& t = c.deviations.turning;
   if (t == Turning{}) return;
@@ -349,7 +348,7 @@ void check_turning(const Case& c, Problems& problems) {
   }
 }
 
-/// What was measured must reach over all contacts at all positions of a load case.
+/// Measured errors must cover all contacts at all positions of a load case.
 void check_measured(const Case& c, Problems& problems) {
   const Mechanism& m = c.mechanism;
   const bool standard = m.type == Mechanism::Type::standard;
@@ -429,7 +428,7 @@ void check_motion(const Case& c, Problems& problems) {
   }
 }
 
-/// Two that hold the same section rigidly: which of both takes the load, nothing says.
+/// Refuses two bearings that hold the same section rigidly: the share of each would be undetermined.
 void check_bearings(const std::vector<Bearing>& bearings, double same_place, Problems& problems) {
   for (std::size_t k = 0; k < bearings.size(); ++k)
     for (std::size_t i = 0; i < k; ++i) {
@@ -452,7 +451,7 @@ void check_rotation(std::string path, const Lateral& rotation, Problems& problem
                    value * 180.0 / std::numbers::pi);
 }
 
-/// Displacements beyond this share of the screw's pitch diameter are not small.
+/// Largest displacement that counts as small, as a share of the screw's pitch diameter.
 constexpr double kMostDisplacement = 0.1;
 
 void check_seat(std::string path, const Lateral& offset, const Mechanism& m, Problems& problems) {
@@ -480,7 +479,7 @@ void check_small_motions(const Case& c, Problems& problems) {
   }
 }
 
-/// Places on the screw of a load case: from the loaded section to the far end.
+/// Checks places on the screw of a load case: from the loaded section to the far end.
 void check_places(const Case& c, Problems& problems) {
   const Structure& s = *c.structure;
   for (const LoadCase& load : c.load_cases) {

@@ -5,16 +5,16 @@
 
 namespace prs {
 
-/// A motor at the part that turns, with its gear. SI units; without a limit there is no criterion.
+/// A motor at the turning part, with its gear. SI units; a motor without a limit has no criterion.
 struct DriveMotor {
   std::optional<double> rated_torque, peak_torque;  ///< [N m]
   std::optional<double> largest_speed;              ///< [rad/s]
-  double inertia = 0.0;                             ///< At its shaft, with its gear [kg m^2].
-  double gear_ratio = 1.0;                          ///< Its turns per turn of the screw.
+  double inertia = 0.0;                             ///< Inertia at the motor's shaft, gear included [kg m^2].
+  double gear_ratio = 1.0;                          ///< Turns of the motor per turn of the screw.
   double gear_efficiency = 1.0;
 };
 
-/// Why the peak torque of a motor cannot be; empty of a sound one.
+/// Reason why the peak torque of a motor is impossible; empty if it is possible.
 std::string wrong_peak_torque(const DriveMotor& motor);
 
 enum class BackDriving { allowed, required, forbidden };
@@ -23,24 +23,24 @@ enum class BackDriving { allowed, required, forbidden };
 struct MotorDuty {
   /// Constant acceleration, > 0 in the positive sense.
   struct Step {
-    std::optional<std::string> load_case;       ///< Whose friction it has; none: at rest or without force.
-    double duration = 0.0;                      ///< [s]
-    double start_speed = 0.0, end_speed = 0.0;  ///< Along the axis [m/s].
-    double force = 0.0;                         ///< Axial, on the screw, > 0 where it pushes in the positive sense [N].
+    std::optional<std::string> load_case;  ///< Load case whose friction the step has; none: at rest or without force.
+    double duration = 0.0;                 ///< [s]
+    double start_speed = 0.0, end_speed = 0.0;  ///< Speed along the axis [m/s].
+    double force = 0.0;  ///< Axial force on the screw, > 0 if it pushes in the positive sense [N].
 
     double travel() const { return 0.5 * (start_speed + end_speed) * duration; }
     double largest_speed() const { return std::max(std::abs(start_speed), std::abs(end_speed)); }
   };
   DriveMotor motor;
-  std::optional<double> brake_torque;  ///< Holds the axis at rest, at the motor's shaft [N m].
-  double drag_torque = 0.0;            ///< Against the motion, at the part that turns [N m].
-  double holding_force = 0.0;          ///< Largest at rest [N].
+  std::optional<double> brake_torque;  ///< Torque that holds the axis at rest, at the motor's shaft [N m].
+  double drag_torque = 0.0;            ///< Torque against the motion, at the turning part [N m].
+  double holding_force = 0.0;          ///< Largest force at rest [N].
   BackDriving back_driving = BackDriving::allowed;
-  std::optional<std::string> driven_back;  ///< Load case that the load drives, if the screw does not lock itself.
+  std::optional<std::string> driven_back;  ///< Back-driven load case, if the screw is not self-locking.
   std::vector<Step> cycle;
 };
 
-/// What the motor's block of a case contradicts.
+/// Contradictions between the motor's block and the rest of a case.
 std::vector<Problem> check_motor(const MotorDuty& duty, const Conditions& c);
 
 }  // namespace prs

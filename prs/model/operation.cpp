@@ -12,14 +12,13 @@ double kinematic(const ViscosityPoint& point, double density) {
   return point.viscosity ? *point.viscosity / density : *point.kinematic_viscosity;
 }
 
-/// The density, which two dynamic viscosities may do without, only shifts the 0.7 mm^2/s of the
-/// line there: 10 % of it change the result by less than 0.5 % between 40 and 100 degC and 20 K
-/// above where the points lie at these two.
+/// Density for Walther's line. Two dynamic viscosities may lack it: it only shifts the 0.7 mm^2/s of the line there; 10
+/// % of it change the result by less than 0.5 % between 40 and 100 degC, and 20 K above if the points lie at these two.
 double density_of(const Lubricant& l) {
   return l.density.value_or(l.name ? data_of(*l.name).density : contact::kTypicalOilDensity);
 }
 
-/// The oil's own law.
+/// Walther line of the oil.
 contact::WaltherLine line_of(const Lubricant& l) {
   if (l.walther) return *l.walther;
   const double density = density_of(l);
@@ -50,9 +49,8 @@ contact::Lubricant with_viscosity(const Lubricant& l, double viscosity) {
 
 using enum contact::BaseOil;
 
-/// Midpoints of the grades; at 100 degC what the viscosity index of 95 gives, for which the annex
-/// of ISO 3448 tabulates the grades. Densities are typical ones of such oils, no data of a sheet,
-/// where the source says so.
+/// Midpoints of the grades; at 100 degC the viscosity for the index of 95 with which the annex of ISO 3448 tabulates
+/// the grades. Densities are typical of such oils, not from a data sheet, where the source says so.
 constexpr std::string_view kIso = "midpoints of ISO 3448, viscosity index 95 by ASTM D2270; density: typical";
 constexpr std::string_view kAeroShell = "The AeroShell Book, 19th edition (2012): base oil, typical; density: typical";
 constexpr std::string_view kSkf =

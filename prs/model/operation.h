@@ -9,21 +9,21 @@
 
 namespace prs {
 
-/// A lubricant that the program knows: what its standard or data sheet states.
+/// A lubricant that the program knows, with the values of its standard or data sheet.
 struct NamedLubricant {
-  std::string_view name;  ///< As a file names it: `iso-vg-100`.
+  std::string_view name;  ///< Name in a case file: `iso-vg-100`.
   std::string_view what;
   contact::BaseOil base;
-  double viscosity_40;   ///< Kinematic, of the oil or the base oil of the grease, at 40 degC [m^2/s]
-  double viscosity_100;  ///< The same at 100 degC [m^2/s]
-  double density;        ///< At 15 degC [kg/m^3]
+  double viscosity_40;   ///< Kinematic viscosity of the oil, or the base oil of the grease, at 40 degC [m^2/s].
+  double viscosity_100;  ///< Kinematic viscosity at 100 degC [m^2/s].
+  double density;        ///< Density at 15 degC [kg/m^3].
   std::string_view source;
 };
 
-/// All of them, in the order in which they are shown.
+/// All named lubricants, in the order in which they are shown.
 std::span<const NamedLubricant> named_lubricants();
 
-/// Place in `named_lubricants`.
+/// Index in `named_lubricants`.
 enum class LubricantName : std::size_t {};
 
 const NamedLubricant& data_of(LubricantName name);
@@ -35,26 +35,25 @@ struct ViscosityPoint {
   std::optional<double> kinematic_viscosity;  ///< [m^2/s]
 };
 
-/// Lubricant as a data sheet states it. Its viscosity is that at operating temperature, or follows
-/// from the temperature by a Walther line: given, or through two points. A named lubricant has
-/// values for all that is left out; stated ones come first.
+/// Lubricant as a data sheet states it. Its viscosity is that at operating temperature, or follows from the temperature
+/// by a Walther line: given, or through two points. A named lubricant supplies all values that are left out.
 struct Lubricant {
   std::optional<LubricantName> name;
   std::optional<double> viscosity;           ///< eta_0 at operating temperature [Pa s]
   std::optional<double> pressure_viscosity;  ///< alpha [1/Pa]
   std::optional<double> eyring_stress;       ///< tau_0 [Pa]
-  std::optional<double> temperature;         ///< In operation [K].
+  std::optional<double> temperature;         ///< Temperature in operation [K].
   std::vector<ViscosityPoint> viscosity_at;
   std::optional<contact::WaltherLine> walther;
   std::optional<double> density;  ///< Density, from kinematic to dynamic viscosity [kg/m^3].
 
   struct Film {
     contact::FilmDirection direction = contact::FilmDirection::minor_axis;
-    std::optional<double> starvation;  ///< phi_s, film over that of a full inlet.
+    std::optional<double> starvation;  ///< phi_s, ratio of film thickness to that with a full inlet.
     /// Reduction of the film by shear heating at the inlet.
     struct InletHeating {
       double conductivity = 0.0;  ///< k of the oil [W/(m K)]
-      /// beta = -(d eta/dT)/eta [1/K]; by default that of the oil's own law.
+      /// beta = -(d eta/dT)/eta [1/K]; default: from the oil's own law.
       std::optional<double> temperature_coefficient;
     };
     std::optional<InletHeating> inlet_heating;
@@ -67,30 +66,27 @@ struct Lubricant {
 /// 200, 1986, 303).
 inline constexpr double kTypicalEyringStress = 5e6;
 
-/// The lubricant at a temperature [K], also another than that of operation. It must have passed
-/// `check_lubricant`. A named one without `pressure_viscosity` has the estimate from its viscosity
-/// there, see `contact::gold_pressure_viscosity`.
+/// The lubricant at a temperature [K], also one other than in operation. It must have passed `check_lubricant`. A named
+/// one without `pressure_viscosity` gets the estimate from its viscosity there, see `contact::gold_pressure_viscosity`.
 contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature);
 
-/// Whether the file states the temperature or the viscosity in operation; with `heat` it need not.
+/// Whether the file states the temperature or the viscosity in operation, which it may omit with `heat`.
 bool has_operating_point(const Lubricant& lubricant);
 
-/// The lubricant at its operating temperature, or with the viscosity stated for it. The case must
-/// have passed `check_case`.
+/// The lubricant at its operating temperature, or with the viscosity stated for operation. The case must have passed
+/// `check_case`.
 contact::Lubricant in_operation(const Lubricant& lubricant);
 
-/// The lubricant with the viscosities and the density that its name stands for, where they
-/// are not stated otherwise.
+/// The lubricant with viscosities and density of its name where the file does not state them.
 Lubricant with_data_of_name(Lubricant lubricant);
 
-/// The lubricant with every value that its name stands for, estimates at operating temperature too.
+/// The lubricant with all values of its name, and with estimates at operating temperature.
 Lubricant resolved(const Lubricant& lubricant);
 
-/// Source of a value, such as `density`, that a named lubricant has unless stated; empty
-/// where no name changes it.
+/// Source of a value, such as `density`, of a named lubricant; empty if the name does not give that value.
 std::string origin_of(std::string_view key, LubricantName name);
 
-/// Which values of a lubricant are estimates, and how to replace them; none where all are stated.
+/// Warning about values of a lubricant that are estimates, and how to replace them; none if all are stated.
 std::optional<Warning> estimated_lubricant(const Lubricant& lubricant);
 
 /// Law of friction of the threads; its parameters may differ between screw and nut, as their flanks and oil do (Sandu
@@ -112,20 +108,20 @@ Friction friction_by(const Law<PerInterface<double>>& parameters) {
   return friction;
 }
 
-/// Wear of flanks by Archard (J. Appl. Phys. 24, 1953, 981): volume = k times the integral of
-/// pressure times sliding path, from both bodies together.
+/// Wear of flanks by Archard (J. Appl. Phys. 24, 1953, 981): volume = k times the integral of pressure times sliding
+/// distance, sum of both bodies.
 struct Wear {
   double coefficient = 0.0;  ///< k [m^3/(N m)]
 };
 
 struct Operation {
-  double speed = 0.0;                     ///< Screw against nut [rad/s].
-  std::optional<double> slip_ratio = {};  ///< Imposed; else from the roller's equilibrium.
-  /// Largest speed of the motion, of which load cases have mean speeds [rad/s].
+  double speed = 0.0;                     ///< Speed of screw against nut [rad/s].
+  std::optional<double> slip_ratio = {};  ///< Imposed slip ratio; if absent from the roller's equilibrium.
+  /// Largest speed of the motion [rad/s]; speeds of load cases are means.
   std::optional<double> largest_speed = {};
 };
 
-/// How the heads of the rollers rub in their bearings in the carrier.
+/// Friction of the roller heads in their bearings in the carrier.
 struct HeadFriction {
   /// hydrodynamic: short bearings; coulomb: M = mu F d/2; mixed: both by the share of touching
   /// surfaces, `contact::boundary_share`.
@@ -140,19 +136,19 @@ struct HeadFriction {
   Mixed mixed = {};
 };
 
-/// The plain bearing of a roller's head in the carrier; one that rubs dry has a diameter alone.
+/// Plain bearing of a roller's head in the carrier; one with dry friction has a diameter alone.
 struct HeadBearing : contact::JournalBearing {
   HeadFriction friction = {};
 
   bool has_film() const { return friction.model != HeadFriction::Model::coulomb; }
 };
 
-/// What acts on the rollers besides the threads. Torques are resisting magnitudes [N m].
+/// Carrier: what acts on the rollers besides the threads. Torques are resisting magnitudes [N m].
 struct Carrier {
   double roller_torque = 0.0;  ///< C_P/R, both heads of one roller.
   double screw_torque = 0.0;   ///< C_P/S
   double nut_torque = 0.0;     ///< C_P/N
-  /// The two heads of a roller in the carrier; in place of `roller_torque`.
+  /// Bearings of the two heads of a roller in the carrier; replaces `roller_torque`.
   std::optional<HeadBearing> bearing;
   double gear_pressure_angle = std::numbers::pi / 9;  ///< alpha_g [rad]
 
@@ -171,9 +167,9 @@ inline double nut_in_still_air(double outer_diameter, double bore, double length
   return kStillAir * (std::numbers::pi * outer_diameter * length + faces);
 }
 
-/// How the parts pass the heat of friction on, and the duty cycle that warms them. SI units.
+/// Heat flow between the parts and to the surroundings, and the duty cycle that warms the parts. SI units.
 struct Heat {
-  /// Between two parts, or from a part to its surroundings [W/K].
+  /// Conductances between two parts, or from a part to its surroundings [W/K].
   struct Conductance {
     double screw_ambient = 0.0;
     double nut_ambient = 0.0;
@@ -183,7 +179,7 @@ struct Heat {
 
     double to_ambient() const { return screw_ambient + nut_ambient + rollers_ambient; }
   };
-  /// A load case for a while, or a rest without motion.
+  /// One step of the duty cycle: a load case for a time, or a rest without motion.
   struct DutyStep {
     std::optional<std::string> load_case;  ///< Name of the load case; none: a rest.
     std::optional<double> duration;        ///< Duration of the load case [s].
@@ -199,22 +195,22 @@ struct Heat {
   };
 
   enum class Losses {
-    warm,    ///< At the temperatures that they lead to.
-    stated,  ///< At the temperatures that the case states; those of `duty` are its mean, and nothing follows them.
+    warm,    ///< Losses at the temperatures that they cause.
+    stated,  ///< Losses at the temperatures that the case states, or at the mean ones of `duty`, without iteration.
   };
 
   double ambient = 0.0;  ///< [K]
   Conductance conductance;
   Losses losses = Losses::warm;
-  std::vector<DutyStep> duty = {};  ///< Repeated without end; none: no cycle.
+  std::vector<DutyStep> duty = {};  ///< Steps, repeated without end; none: no cycle.
   std::optional<Capacity> capacity = {};
-  std::optional<double> specific_heat = {};  ///< One for all parts, in place of `capacity` [J/(kg K)].
+  std::optional<double> specific_heat = {};  ///< One value for all parts, replaces `capacity` [J/(kg K)].
 };
 
-/// Whether loads, losses and life are those at the temperatures of `heat`.
+/// Whether loads, losses and life are computed at the temperatures of `heat`.
 inline bool warms(const std::optional<Heat>& heat) { return heat && heat->losses == Heat::Losses::warm; }
 
-/// The viscosities that a named lubricant is sold with, at 40 and 100 degC.
+/// Viscosities of a named lubricant at 40 and 100 degC.
 std::array<ViscosityPoint, 2> viscosities_of(LubricantName name);
 
 }  // namespace prs

@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::string_view kLubricantExample = "{name: iso-vg-100, temperature: 60 degC}";
 
-/// The two points must give a line along which the oil gets thinner with temperature; empty where
-/// they do not.
+/// Line through two points, on which the oil must get thinner with temperature; empty if it does not.
 std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint> points, double density,
                                                  Problems& problems) {
   if (points.size() != 2) {
@@ -68,8 +67,8 @@ std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint>
   return contact::walther_line(temperature(cold), cold.viscosity, temperature(hot), hot.viscosity);
 }
 
-/// Either sense: force and speed say whether screw or load drives.
-/// `may_rest`: at speed 0 static friction holds the screw.
+/// Checks a speed, of either sense: the signs of force and speed decide whether screw or load drives. `may_rest`: at
+/// speed 0 static friction holds the screw.
 void check_speed(const Conditions& c, const LoadCase& load, bool may_rest, Problems& problems) {
   const double speed = screw_speed(c, load);
   if (speed != 0.0) return;
@@ -91,7 +90,7 @@ void check_speed(const Conditions& c, const LoadCase& load, bool may_rest, Probl
                                    rpm(speed), load.name));
 }
 
-/// Heat of every part must find a way to the surroundings.
+/// Checks that the heat of every part has a path to the surroundings.
 void check_conductance(const Heat::Conductance& c, Problems& problems) {
   if (!(c.to_ambient() > 0.0))
     return problems.add("heat.conductance",
@@ -147,7 +146,7 @@ void check_duty(const Case& c, Problems& problems) {
   }
 }
 
-/// Masses, where the capacities are not given.
+/// Masses must be computable if the capacities are not given.
 void check_capacity(const Case& c, Problems& problems) {
   if (c.heat->capacity) return;
   if (!c.heat->specific_heat)

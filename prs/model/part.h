@@ -58,30 +58,30 @@ struct Lateral {
   bool operator==(const Lateral&) const = default;
 };
 
-/// Along the direction at the azimuth `angle`, from y towards z.
+/// Component along the direction at the azimuth `angle`, from y towards z.
 inline double along(const Lateral& l, double angle) { return l.y * std::cos(angle) + l.z * std::sin(angle); }
 
 /// Stiffness of a support that does not give.
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
-/// At the near and at the far end of the rollers.
+/// Values at the near and at the far end of the rollers.
 template <class T>
 struct PerEnd {
   T near{};
   T far{};
 };
 
-/// Linear elastic, isotropic. SI units.
+/// Linear elastic, isotropic material. SI units.
 struct Material {
   double youngs_modulus = 0.0;    ///< E [Pa]
   double poisson_ratio = 0.0;     ///< nu
-  std::optional<double> density;  ///< [kg/m^3]; of weight, centrifugal force, flash.
-  /// [1/K]; needed where temperatures are given.
+  std::optional<double> density;  ///< Density [kg/m^3], for weight, centrifugal force, flash temperature.
+  /// Thermal expansion [1/K]; needed if temperatures are given.
   std::optional<double> thermal_expansion = std::nullopt;
-  std::optional<double> conductivity = std::nullopt;   ///< [W/(m K)]; for flash temperatures.
-  std::optional<double> specific_heat = std::nullopt;  ///< [J/(kg K)]; the same.
+  std::optional<double> conductivity = std::nullopt;   ///< Thermal conductivity [W/(m K)], for flash temperatures.
+  std::optional<double> specific_heat = std::nullopt;  ///< Specific heat [J/(kg K)], for flash temperatures.
 
-  /// Peak pressure that a contact may have at rest [Pa]; absent: that of bearing steel, if it is one.
+  /// Peak pressure that a contact may have at rest [Pa]; if absent that of bearing steel, for steel only.
   std::optional<double> static_pressure_limit = std::nullopt;
 
   operator contact::Elasticity() const { return {youngs_modulus, poisson_ratio}; }
@@ -94,12 +94,12 @@ using Materials = PerPart<Material>;
 /// bearings).
 inline constexpr double kStaticPressureLimit = 4.0e9;
 
-/// Whether rules that come from tests with bearing steel hold for a material: capacities, 4 GPa, permanent deformation.
+/// Whether rules from tests with bearing steel apply to a material: capacities, 4 GPa, permanent deformation.
 inline bool is_steel(const Material& m) { return m.youngs_modulus >= 190e9 && m.youngs_modulus <= 230e9; }
 inline bool is_steel(const Materials& m) { return is_steel(m.screw) && is_steel(m.roller) && is_steel(m.nut); }
 
-/// Peak pressure that contacts of two parts may have at rest: the smaller of what is stated and of
-/// `kStaticPressureLimit` for steel. Absent where neither is known of a part.
+/// Peak pressure that contacts of two parts may have at rest: the smaller of the stated limits and, for steel,
+/// `kStaticPressureLimit`. Absent if no limit is known for one of the parts.
 inline std::optional<double> static_pressure_limit(const Material& a, const Material& b) {
   std::optional<double> limit;
   for (const Material* m : {&a, &b}) {

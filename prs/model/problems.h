@@ -11,16 +11,15 @@
 
 namespace prs {
 
-/// What is wrong with an input: the one type that carries such a message, from the model, from a
-/// result that cannot be, or from the reader.
+/// Error in an input: the one type for such messages, from the model, from an impossible result, or from the reader.
 struct Problem {
-  std::string path;     ///< Key path in the input: `structure.nut.length`; empty where none is.
+  std::string path;     ///< Key path in the input: `structure.nut.length`; may be empty.
   std::string message;  ///< `got VALUE; expected WHAT; how to fix it`
 
   std::string text() const { return path.empty() ? message : path + ": " + message; }
   bool operator==(const Problem&) const = default;
 
-  /// Whether it is fixed by adding what stands at the path.
+  /// Whether adding the block at the path fixes the problem.
   bool is_missing() const { return message.starts_with(kMissing); }
 
   static constexpr std::string_view kMissing = "missing; ";
@@ -36,7 +35,7 @@ class Problems {
   void add(std::string path, fmt::format_string<Arg, Args...> message, Arg&& arg, Args&&... args) {
     add(std::move(path), fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
   }
-  /// A block that a command needs and the case lacks.
+  /// Adds a block that a command needs and the case lacks.
   void add_missing(std::string path, std::string_view what, std::string_view example) {
     std::string message =
         fmt::format("{}expected {}; add `{}: {}`, for example", Problem::kMissing, what, path, example);
@@ -49,8 +48,8 @@ class Problems {
   std::vector<Problem> found_;
 };
 
-/// A case that reads well and still describes no mechanism. what() is the message of the problem;
-/// the reader of the case adds file and line.
+/// A case that is valid text but describes no mechanism. what() is the message of the problem; the reader of the case
+/// adds file and line.
 class CaseError : public std::runtime_error {
  public:
   explicit CaseError(Problem problem) : std::runtime_error(problem.message), problem_(std::move(problem)) {}

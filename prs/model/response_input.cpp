@@ -72,7 +72,7 @@ bool has_file(const Signal& signal) {
   return signal.one.file || std::ranges::any_of(signal.many, [](const SignalTerm& t) { return t.file.has_value(); });
 }
 
-/// A prescribed speed is continuous, and the start is on it.
+/// A prescribed speed must be continuous and agree with the start.
 void check_prescribed(const ResponseInput& r, double reach, Problems& problems) {
   BoundSignal speed(r.motor.speed->terms());
   const double at_start = speed.at(0.0).value;

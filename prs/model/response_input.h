@@ -8,7 +8,7 @@
 
 namespace prs {
 
-/// One that may also come from a file.
+/// Term of a signal that may also come from a file.
 struct SignalTerm : SignalForm {
   struct File {
     std::string name;

@@ -7,7 +7,7 @@
 
 namespace prs {
 
-/// How the guide rings hold the roller ends radially.
+/// Radial guidance of the roller ends by the guide rings.
 struct Guidance {
   enum class Kind {
     both_end_nodes,  ///< v = 0 on both nodes of each end element (Abevi's BC3).
@@ -16,28 +16,29 @@ struct Guidance {
   };
   Kind kind = Kind::both_end_nodes;
   double ring_stiffness = 0.0;  ///< Stiffness of each of a roller's four springs [N/m].
-  double clearance = 0.0;       ///< Radial displacement up to which a spring takes no force [m].
+  double clearance = 0.0;       ///< Radial displacement below which a spring carries no force [m].
 };
 
-/// What carries the guide rings of a full mechanism, one ring at each end of the rollers.
+/// Support of the guide rings of a full mechanism, one ring at each end of the rollers.
 struct Rings {
   enum class Carrier { housing, nut, screw };
-  std::optional<Carrier> carrier;  ///< By default the part on which the rollers stay in place.
-  double stiffness = kRigid;       ///< Ring against carrier [N/m]; below `kRigid` it floats.
+  /// Part that carries the rings; default: the part on which the rollers stay in place.
+  std::optional<Carrier> carrier;
+  double stiffness = kRigid;  ///< Stiffness between ring and carrier [N/m]; below `kRigid` the ring floats.
 
   bool operator==(const Rings&) const = default;
 };
 
 /// Support of the screw of a full mechanism.
 struct Bearing {
-  double position = 0.0;    ///< x, on the nut's axis [m].
-  double lateral = kRigid;  ///< [N/m]; 0 free.
-  double tilt = 0.0;        ///< [N m/rad]; 0 free.
+  double position = 0.0;    ///< x on the nut's axis [m].
+  double lateral = kRigid;  ///< Lateral stiffness [N/m]; 0: free.
+  double tilt = 0.0;        ///< Tilt stiffness [N m/rad]; 0: free.
   Lateral offset;           ///< Displacement of its seat [m].
   Lateral angle;            ///< Rotation of its seat [rad].
 };
 
-/// What holds the thrust section of the nut of a full mechanism.
+/// Support of the thrust section of the nut of a full mechanism.
 struct Housing {
   double axial = kRigid;    ///< [N/m]
   double lateral = kRigid;  ///< [N/m]
@@ -46,14 +47,14 @@ struct Housing {
   bool operator==(const Housing&) const = default;
 };
 
-/// What turns the screw of a full mechanism, for its vibration.
+/// Drive that turns the screw of a full mechanism, for its vibration.
 struct Drive {
-  double position = 0.0;      ///< x, on the nut's axis [m].
+  double position = 0.0;      ///< x on the nut's axis [m].
   double inertia = 0.0;       ///< [kg m^2]
-  double stiffness = kRigid;  ///< Against turning of the screw there [N m/rad].
+  double stiffness = kRigid;  ///< Torsional stiffness at that section [N m/rad].
 };
 
-/// Along x, y and z.
+/// Components along x, y and z.
 struct Spatial {
   double x = 0.0, y = 0.0, z = 0.0;
 };
@@ -66,17 +67,17 @@ struct ExtraMass {
   Carrier carrier = Carrier::nut;
   double position = 0.0;  ///< x of the section, on the nut's axis [m].
   double mass = 0.0;      ///< [kg]
-  Spatial centre;         ///< Centre of mass, from the axis at the section [m].
-  Spatial inertia;        ///< About the centre [kg m^2].
+  Spatial centre;         ///< Centre of mass, measured from the axis at the section [m].
+  Spatial inertia;        ///< Inertia about the centre of mass [kg m^2].
 };
 
-/// The parts between and around the threads (one sector of Abevi 2015). Axial positions on the nut
-/// are measured from the nut's end that faces the loaded end of the screw. SI units.
+/// Parts between and around the threads (one sector of Abevi 2015). Axial positions on the nut are measured from the
+/// nut's end that faces the loaded end of the screw. SI units.
 struct Structure {
   struct Screw {
     double bore = 0.0;         ///< Diameter [m].
-    double free_length = 0.0;  ///< From the loaded section to the first contact [m].
-    double far_length = 0.0;   ///< Behind the last contact, full mechanism [m].
+    double free_length = 0.0;  ///< Length from the loaded section to the first contact [m].
+    double far_length = 0.0;   ///< Length behind the last contact, full mechanism [m].
     std::vector<Bearing> bearings = {};
     std::optional<Drive> drive = {};
   };
@@ -106,7 +107,7 @@ struct Structure {
     double outer_diameter = 0.0;
     std::vector<Flange> flanges;
     Thrust thrust;
-    std::optional<Shoulder> shoulder = {};  ///< From the nut's to the flange's diameter where absent.
+    std::optional<Shoulder> shoulder = {};  ///< Spans from the nut's to the flange's diameter if absent.
     Housing housing = {};
   };
 
@@ -130,10 +131,10 @@ inline std::pair<double, double> nut_diameters_at(const Structure::Nut& nut, dou
   return {nut_diameter(nut, x - close), nut_diameter(nut, x + close)};
 }
 
-/// Axial places closer than this share of the nut's length are one.
+/// Axial distance, as a share of the nut's length, below which two places are the same.
 inline constexpr double kSamePlace = 1e-9;
 
-/// From the loaded section to the first contact [m]; 0 where they are one place.
+/// Length from the loaded section to the first contact [m]; 0 if both are the same place.
 inline double free_length(const Structure& s) {
   return s.screw.free_length < kSamePlace * s.nut.length ? 0.0 : s.screw.free_length;
 }

@@ -7,8 +7,8 @@
 namespace prs {
 namespace {
 
-/// Whether threads can reach each other across the gap between two pitch cylinders: sharp threads
-/// are half a pitch over the tangent of the flank angle high.
+/// Checks that threads reach across the gap between two pitch cylinders: sharp threads are half a pitch over the
+/// tangent of the flank angle high.
 void check_reach(const Mechanism& m, Problems& problems) {
   const auto& [screw, roller, nut] = m.pitch_diameter;
   if (!screw || !roller || !nut || !m.centre_distance) return;
@@ -30,8 +30,8 @@ void check_reach(const Mechanism& m, Problems& problems) {
                  mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach));
 }
 
-/// Crest of a roller whose thread height is not stated, beyond its pitch radius in pitches: no higher than flanks that
-/// meet, and not below those of a maker's catalogue.
+/// Crest of a roller without stated thread height, beyond its pitch radius, in pitches: not higher than where flanks
+/// meet, not lower than in a catalogue.
 constexpr double kLowestCrest = 0.15;
 
 /// Neighbouring rollers must clear each other at their crests (Sandu 2018, (1.49)).
@@ -102,7 +102,7 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
                    "got {}; expected more than the nut's pitch diameter, {}; check the two diameters",
                    mm(f.outer_diameter), mm(*pitch_diameter));
   }
-  std::vector<std::size_t> order;  // Empty, without memory, where they stand in order.
+  std::vector<std::size_t> order;  // Order of the places; empty, without memory, if they are sorted.
   if (!std::ranges::is_sorted(nut.flanges, {}, &Structure::Flange::from)) {
     order.resize(nut.flanges.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -119,12 +119,12 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
   }
 }
 
-/// A length that is out of all proportion to the part it belongs to: most often a wrong unit.
+/// Length far out of proportion to its part: usually a wrong unit.
 struct Proportion {
   std::string_view path;
   double length;
   std::optional<double> diameter;  ///< Diameter of the part [m].
-  double least, greatest;          ///< Multiples of it.
+  double least, greatest;          ///< Bounds as multiples of the diameter.
 };
 
 void check_proportions(const Structure& s, const Mechanism& m, Problems& problems) {

@@ -11,19 +11,16 @@
 
 namespace prs {
 
-/// How the measures of a design over two factors are made one, and the designs that are read back
-/// from it (Jung 2017, chapters 7 and 8). m_i is a measure, n_i what it is normalised by, w_i its
-/// weight:
-///
-///     product   E = prod (m_i / n_i)^w_i
-///     sum       E = sum w_i m_i / n_i
-///
-/// Jung's weighted product w_1 m_1 w_2 m_2 .. only rescales E; weights are exponents here. What is
-/// to be small has a negative weight.
+/// How the measures of a design over two factors are combined into one, and the designs that are chosen by it (Jung
+/// 2017, chapters 7 and 8). m_i is a measure, n_i its normalisation, w_i its weight:
+///   product   E = prod (m_i / n_i)^w_i
+///   sum       E = sum w_i m_i / n_i
+/// Jung's weighted product w_1 m_1 w_2 m_2 .. only rescales E; weights are exponents here. Measures to minimise have a
+/// negative weight.
 struct Envelope {
   enum class Combine { product, sum };
 
-  /// n_i: of all values of the measure in the grid,
+  /// n_i, over all values of the measure in the grid:
   enum class Normalise {
     rms,   ///< their root mean square, sqrt(mean m^2) (Jung 2017, section 7.2),
     max,   ///< the largest magnitude,
@@ -35,7 +32,7 @@ struct Envelope {
     double weight = 1.0;
   };
 
-  /// What a response shall be, in the unit of its path.
+  /// Wanted value of a response, in the unit of its path.
   struct Target {
     std::string response;
     double value = 0.0;
@@ -44,8 +41,8 @@ struct Envelope {
   /// A design in the grid: given by its two factors, found by targets, or else the best.
   struct Point {
     std::string name;
-    std::optional<std::array<double, 2>> at;  ///< In the units of the factors.
-    /// One: the best of the places where a line of the grid meets it. Two: where both are met.
+    std::optional<std::array<double, 2>> at;  ///< Values of the factors, in their units.
+    /// One target: the best of the places where a line of the grid meets it. Two: the place where both are met.
     std::vector<Target> reach;
   };
 
@@ -64,21 +61,21 @@ enum class Plan {
   monte_carlo,      ///< Independent draws.
   sobol_indices,    ///< Saltelli's design for first and total indices of variance.
   derivatives,      ///< The base case with the derivatives by every factor.
-  tolerances,       ///< Independent draws, and the same with each factor's deviation halved.
+  tolerances,       ///< Independent draws, and a second set with each factor's deviation halved.
 };
 
-/// One value of a factor as it would stand in the file, and where it lies on an axis.
+/// One value of a factor: its text in the file, and its place on an axis.
 struct Level {
   std::string text;              ///< YAML: `30 mm`, `{convex: 6 mm}`
-  std::optional<double> number;  ///< In the factor's unit; absent for words.
+  std::optional<double> number;  ///< Value in the factor's unit; absent for words.
 };
 
-/// From what a sampled plan draws a factor's values, in the factor's unit.
+/// Distribution from which a sampled plan draws a factor's values, in the factor's unit.
 struct Distribution {
   enum class Kind {
-    levels,       ///< One of the levels, all as likely.
+    levels,       ///< One of the levels, equally likely.
     uniform,      ///< Between `first` and `second`.
-    log_uniform,  ///< The same, uniform in the logarithm.
+    log_uniform,  ///< Between `first` and `second`, uniform in the logarithm.
     normal,       ///< Mean `first`, standard deviation `second`.
   };
   Kind kind = Kind::levels;
@@ -89,52 +86,52 @@ struct Distribution {
 /// An input that a study varies.
 struct Factor {
   std::string path;   ///< `mechanism.pitch_diameter.screw`
-  std::string label;  ///< What people read; the path where none is given.
+  std::string label;  ///< Name shown to people; the path if none is given.
   std::string unit;   ///< Unit of the numbers; empty for numbers without unit.
   std::vector<Level> levels;
-  std::optional<Level> base;  ///< What the file says; absent where it says nothing.
+  std::optional<Level> base;  ///< Value in the file; absent if the file has none.
   bool logarithmic = false;   ///< The levels are equidistant in their logarithm.
   Distribution distribution = {};
-  /// The entry of a list that is drawn entry by entry, as pitch errors are.
+  /// Whether it is an entry of a list drawn entry by entry, such as pitch errors.
   bool entry_of_list = false;
-  bool with_previous = false;  ///< Counts as one with the entry of the list before.
-  bool kept = false;           ///< Drawn in a plan of tolerances, never halved.
-  /// Between two levels any number may stand: a quantity, no word and no whole number.
+  bool with_previous = false;  ///< Whether it counts as one factor with the previous entry of the list.
+  bool kept = false;           ///< Whether a plan of tolerances draws it but never halves it.
+  /// Whether any number between two levels is allowed: a quantity, not a word or a whole number.
   bool continuous = false;
-  /// Inputs that change with this one, level by level: as many levels, no companions of their own.
+  /// Inputs that change with this factor: as many levels, no companions of their own.
   std::vector<Factor> companions = {};
 
-  /// Whether every value has its place on an axis.
+  /// Whether every value has a place on an axis.
   bool is_numeric() const;
 };
 
-/// What is varied, how, and what is recorded of each design.
+/// Factors that are varied, the plan, and the responses recorded for each design.
 struct Study {
   Command command = Command::slip;  ///< contact, solve, slip or life: the chain of each design.
   Plan plan = Plan::one_at_a_time;
   std::vector<Factor> factors;
-  std::vector<std::string> responses;  ///< Paths, see `response`; empty: those of the command.
-  std::size_t samples = 0;             ///< For sampled plans; for `sobol_indices`: per matrix.
+  std::vector<std::string> responses;  ///< Paths, see `response`; empty: the command's own.
+  std::size_t samples = 0;             ///< Number of samples of sampled plans; per matrix for `sobol_indices`.
   std::uint64_t seed = 1;
   std::optional<Envelope> envelope = {};  ///< Only for `grid` with two factors.
 };
 
-/// Factors that count as one are a block. The first factor of each block.
+/// Indices of the first factor of each block; a block is a set of factors that count as one.
 std::vector<std::size_t> blocks_of(const Study& study);
 
-/// Whether the designs are drawn, not listed.
+/// Whether the designs are drawn at random rather than listed.
 bool is_sampled(Plan plan);
 
 /// An input that designs set: a factor or a companion of one.
 struct DrawnInput {
   std::size_t factor = 0;         ///< Index of the factor whose draw sets the input.
-  const Factor* input = nullptr;  ///< Within the study.
+  const Factor* input = nullptr;  ///< Input within the study.
 };
 
 /// Every factor, followed by its companions.
 std::vector<DrawnInput> drawn_inputs(const Study& study);
 
-/// A factor that differs from the file, its value and those of its companions.
+/// A factor that differs from the file, with its value and those of its companions.
 struct Setting {
   std::size_t factor = 0;
   Level level;
@@ -146,16 +143,16 @@ struct Design {
   std::vector<Setting> settings;
 };
 
-/// The value of one factor in one design, without its text. A level sets the companions too.
+/// Value of one factor in one design, without its text. A level sets the companions too.
 struct Draw {
   enum class Kind { as_in_file, level, number };
   Kind kind = Kind::as_in_file;
   std::size_t level = 0;  ///< Index among the factor's levels.
-  double number = 0.0;    ///< In the factor's unit.
+  double number = 0.0;    ///< Value in the factor's unit.
 };
 
 inline constexpr std::size_t kMostDesigns = 1'000'000'000;
-/// Numbers that maps of one study may have: nodes x responses.
+/// Largest number of values in the maps of one study: nodes x responses.
 inline constexpr std::size_t kMostMapValues = 8'000'000;
 inline constexpr std::size_t kMostSobolDimensions = 3667;
 inline constexpr std::size_t kMostLevels = 100'000;
@@ -178,21 +175,21 @@ struct MapAxis {
   std::optional<double> place(double number) const;
 };
 
-/// A place on one axis: a node and the share of the way to the next one.
+/// A place on one axis: a node and the fraction of the distance to the next one.
 struct Between {
   std::size_t node = 0;
   double share = 0.0;
 };
 Between between(double place, std::size_t nodes);
 
-/// From one number to another, linear, or linear in the logarithm.
+/// Interpolation between two numbers, linear, or linear in the logarithm.
 double interpolated(double from, double to, double share, bool logarithmic);
 
 /// The axes of the maps of a study: a grid over two factors of at least two different numbers each.
 /// Absent for any other study.
 std::optional<std::array<MapAxis, 2>> map_axes(const Study& study);
 
-/// How designs are searched. The first three take several objectives, the others one.
+/// Search algorithms. The first three take several objectives, the others one.
 enum class Algorithm {
   nsga2,  ///< Non-dominated sorting genetic algorithm II (Deb et al. 2002).
   nspso,  ///< Non-dominated sorting particle swarm (Li 2003).
@@ -202,18 +199,18 @@ enum class Algorithm {
   cmaes,  ///< Covariance matrix adaptation.
 };
 
-/// `nsga2`
+/// Name in a case file: `nsga2`.
 std::string_view name(Algorithm algorithm);
 
 bool takes_several_objectives(Algorithm algorithm);
 
-/// A response that is made as small or as large as possible.
+/// A response to minimise or maximise.
 struct Objective {
   std::size_t response = 0;  ///< Index among the study's responses.
   bool maximize = false;
 };
 
-/// What a response is held against, in its unit.
+/// Bound on a response, in its unit.
 struct Limit {
   enum class Kind {
     number,    ///< `value`
@@ -228,14 +225,13 @@ struct Limit {
 struct Constraint {
   enum class Sense { at_least, at_most };
 
-  std::string name;  ///< What people read.
+  std::string name;  ///< Name shown to people.
   std::size_t response = 0;
   Sense sense = Sense::at_least;
   Limit limit;
 };
 
-/// Which design of the front is chosen. u: objectives scaled by the front's extent, 0 best and 1
-/// worst of the front.
+/// Choice of one design on the front. u: objectives scaled by the front's extent, 0 best and 1 worst of the front.
 struct Compromise {
   enum class By {
     ideal,    ///< Least |u|: nearest to the best value of every objective.
@@ -248,7 +244,7 @@ struct Compromise {
   std::size_t objective = 0;
 };
 
-/// What is varied, what is wanted and how it is searched.
+/// Factors, objectives, constraints and settings of a search.
 struct Optimization {
   /// Factors are the variables: numbers between the ends of a uniform distribution, or levels. The
   /// responses are those of objectives and constraints.
@@ -256,14 +252,14 @@ struct Optimization {
   std::vector<Objective> objectives;
   std::vector<Constraint> constraints;
   Algorithm algorithm = Algorithm::nsga2;
-  std::optional<Algorithm> check;  ///< Searches once more, for comparison.
-  std::size_t population = 40;     ///< Designs of a generation.
-  std::size_t generations = 50;    ///< The first, random one included.
+  std::optional<Algorithm> check;  ///< Algorithm of a second search, for comparison.
+  std::size_t population = 40;     ///< Designs per generation.
+  std::size_t generations = 50;    ///< Generations, including the first, random one.
   std::uint64_t seed = 1;
   Compromise compromise;
 };
 
-/// Designs to evaluate: the file's own and those of the searches.
+/// Number of designs to evaluate: the file's own and those of the searches.
 std::size_t design_count(const Optimization& optimization);
 
 }  // namespace prs

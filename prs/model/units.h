@@ -115,7 +115,7 @@ inline constexpr ShownUnit kelvin = known("K");
 inline constexpr ShownUnit millimetre_per_minute{"", "mm/min", known("mm").factor* known("rpm").factor};
 }  // namespace text_unit
 
-/// Value of one SI unit in the unit that people read: shown = SI * factor.
+/// Factors from SI to the units shown: shown = SI * factor.
 namespace per_si {
 inline constexpr double kilonewton = text_unit::known("kN").factor;
 inline constexpr double newton_millimetre = text_unit::known("N mm").factor;

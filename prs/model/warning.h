@@ -11,23 +11,24 @@
 
 namespace prs {
 
-/// What is possible and still unusual about a case or one of its results.
+/// Possible but unusual property of a case or a result.
 struct Warning {
-  /// Which values are worse, of those that the same warning has in other load cases.
+  /// Which of two values of the same warning, in different load cases, is worse.
   enum class Worse { larger, smaller };
 
-  std::string path;                              ///< Key of the input that it concerns; empty where there is none.
-  std::string code;                              ///< Its kind: `screw_peak_pressure`. With `path` it names a group.
-  std::string what;                              ///< A sentence; `{value}` and `{limit}` stand for the numbers.
-  std::string fix = {};                          ///< How to fix it.
+  std::string path;      ///< Key of the input concerned; may be empty.
+  std::string code;      ///< Kind of warning: `screw_peak_pressure`. With `path` it names a group.
+  std::string what;      ///< A sentence with `{value}` and `{limit}` in place of the numbers.
+  std::string fix = {};  ///< How to fix it.
   std::optional<double> value = {}, limit = {};  ///< [SI]
   ShownUnit unit = {};
   Worse worse = Worse::larger;
-  std::string load_case = {};  ///< Its name, where it is of one; set where cases are gathered.
-  /// A choice of the model that most cases share, as parts without errors: listed by itself, with its effect.
+  std::string load_case = {};  ///< Name of the load case, if the warning belongs to one; set where cases are gathered.
+  /// Whether it is a modelling assumption that most cases share, such as parts without errors: listed separately, with
+  /// its effect.
   bool is_assumption = false;
 
-  /// The warning with these numbers.
+  /// Copy of the warning with these numbers.
   Warning with(std::optional<double> of_value, std::optional<double> of_limit = {}, ShownUnit of_unit = {},
                Worse of_worse = Worse::larger) && {
     value = of_value, limit = of_limit, unit = of_unit, worse = of_worse;
@@ -40,17 +41,17 @@ struct Warning {
   bool operator==(const Warning&) const = default;
 };
 
-/// The part of `warnings` that are assumptions, the one with the largest effect on loads first, or that are not.
+/// Either the assumptions among `warnings`, largest effect on loads first, or all others.
 std::vector<Warning> selected(std::span<const Warning> warnings, bool assumptions);
 
-/// `PATH: WHAT; FIX`, numbers with three digits, or with as many as tell value and limit apart.
+/// `PATH: WHAT; FIX`, numbers with three digits, or as many as distinguish value and limit.
 std::string sentence(const Warning& warning);
 std::vector<std::string> sentences(std::span<const Warning> warnings);
 
-/// Heading of what `is_assumption`.
+/// Heading of the list of assumptions.
 inline constexpr std::string_view kAssumptionsTitle = "Assumptions that matter here";
 
-/// Whether the value is nearer to its limit, or further beyond it. Without limits by size.
+/// Whether the value is nearer to its limit, or further beyond it. Without limits: by size.
 bool is_worse(const Warning& warning, const Warning& than);
 
 }  // namespace prs

@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-/// A design of a result, by its place among those of both searches.
+/// A design of a result, by its index among those of both searches.
 struct DesignAt {
   const OptimizationResult* result = nullptr;
   const EvaluatedDesign* design = nullptr;
@@ -40,7 +40,7 @@ std::optional<DesignAt> design_at(const OptimizationResult& result, const std::o
   return index ? std::optional(DesignAt{&result, &result.design(*index), *index}) : std::nullopt;
 }
 
-// What was asked for.
+// Whether a variable has listed values.
 
 constexpr auto is_listed = [](const Factor& variable) {
   return variable.distribution.kind == Distribution::Kind::levels;
@@ -95,7 +95,7 @@ constexpr Quantity<Optimization> kOptimizationRows[] = {
     {"compromise", always_table<kCompromiseRows>},
 };
 
-// Designs.
+// Columns of designs.
 
 constexpr Quantity<DesignAt> kDesignRows[] = {
     {"variables", always<[](auto& d) {
@@ -308,7 +308,7 @@ std::string constraints(const OptimizationResult& result, const EvaluatedDesign&
                      violated);
 }
 
-/// A line that says so where the check found the design that is shown.
+/// A line that says so if the check found the shown design.
 std::string from_check(const OptimizationResult& result) {
   const auto shown = result.compromise ? result.compromise : result.nearest;
   if (!shown || *shown < result.search.designs.size()) return "";
@@ -335,8 +335,8 @@ std::string comparison(const OptimizationResult& result) {
   return text + from_check(result);
 }
 
-/// Designs of one kind end alike; refused ones by the key of the input, wherever it stands in the
-/// file, all others by their status.
+/// Kind of failure; for refused designs by the key of the input, wherever it is in the file, for others by their
+/// status.
 std::string kind_of(const DesignStatus& status) {
   if (status.name != "refused") return status.name;
   constexpr std::string_view kPlaceEnds = ": error: ";
@@ -345,7 +345,7 @@ std::string kind_of(const DesignStatus& status) {
   return status.reason.substr(key, status.reason.find(": ", key) - key);
 }
 
-/// Why designs have no answer: the most frequent kinds of reasons, each by its first.
+/// Reasons why designs have no result: the most frequent kinds, each by its first.
 std::string failures(const OptimizationResult& result) {
   struct Reason {
     std::string kind, first;
@@ -470,14 +470,14 @@ std::string in_order(Node node) {
   return input::flow_text(node);
 }
 
-/// A piece of the text and what takes its place.
+/// A piece of the text and its replacement.
 struct Edit {
   std::size_t offset = 0;
   std::size_t length = 0;
   std::string text = {};
 };
 
-/// `b: {c: value}` of `b.c`.
+/// `b: {c: value}` for `b.c`.
 std::string nested(std::string_view rest, const std::string& value) {
   const std::size_t dot = rest.find('.');
   if (dot == std::string_view::npos) return fmt::format("{}: {}", rest, value);
@@ -504,8 +504,8 @@ std::optional<Edit> insertion(const std::string& text, const Node& root, const s
   return Edit{at, 0, nested(path.substr(dot + 1), value) + (own_line ? "\n" + before : ", ")};
 }
 
-/// The text with each override in the place of the scalar that it replaces, or added; none where
-/// one has no such place.
+/// The text with each override in place of the scalar that it replaces, or added; none if an override has no such
+/// place.
 std::optional<std::string> edited(const Source& source) {
   std::map<std::string, std::string> last;  // Later overrides of a path win.
   for (const std::string& override : source.overrides)
@@ -556,7 +556,7 @@ std::string case_with(const Source& source, const std::vector<std::string>& over
         text && in_order(document_of({source.name, *text, {}})) == expected)
       return head + *text;
   } catch (const input::InputError&) {
-    // Then the document is written anew.
+    // The document is then rewritten.
   }
   std::string text = head;
   write_block(wanted, 0, text);

@@ -7,7 +7,7 @@ namespace prs {
 namespace {
 
 constexpr std::size_t kMostPanels = 6;
-constexpr std::size_t kMostPoints = 20'000;  // Of a cloud; more designs are thinned evenly.
+constexpr std::size_t kMostPoints = 20'000;  // Largest number of points of a cloud; more designs are thinned evenly.
 constexpr double kMargin = 0.06;
 
 constexpr Style kInfeasibleStyle = points_of(Colour::bad, Mark::circle, Weight::thin);
@@ -15,7 +15,7 @@ constexpr Style kFeasibleStyle = points_of(Colour::ink, Mark::circle, Weight::th
 constexpr Style kInitialStyle = points_of(Colour::sky, Mark::square);
 constexpr Style kChosenStyle = points_of(Colour::green, Mark::triangle, Weight::strong);
 
-/// All of `inner`, and of `all` what lies within so many spans of it.
+/// All of `inner`, and the part of `all` within this many spans of it.
 Range about(Range inner, Range all, double spans) {
   if (inner.empty()) inner = all;
   if (inner.empty()) return {0.0, 1.0};
@@ -27,7 +27,7 @@ Range about(Range inner, Range all, double spans) {
   return range;
 }
 
-/// The feasible designs and the file's own, and of the others as many as lie near.
+/// Range of the feasible designs and the file's own, and the near part of the others.
 Range history_range(const OptimizationResult& result, std::size_t response) {
   Range inner, all;
   inner.include(result.initial.responses[response]);
@@ -38,7 +38,7 @@ Range history_range(const OptimizationResult& result, std::size_t response) {
   return about(inner, all, 1.0);
 }
 
-/// The fronts and the file's own design, and of the feasible designs as many as lie near.
+/// Range of the fronts and the file's own design, and the near part of the feasible designs.
 Range front_range(const OptimizationResult& result, std::size_t response) {
   Range inner, all;
   inner.include(result.initial.responses[response]);
@@ -61,7 +61,7 @@ Axis axis_of(const OptimizationResult& result, std::size_t response, const Range
 
 bool is_inside(const Axis& axis, double value) { return value >= axis.from && value <= axis.to; }
 
-// Of the history.
+// Styles of the history.
 enum HistoryStyle : std::size_t { kInfeasible, kFeasible, kBest, kInitial, kChosen };
 
 Panel history_panel(const OptimizationResult& result, const Objective& objective) {
@@ -94,7 +94,7 @@ Panel history_panel(const OptimizationResult& result, const Objective& objective
   return panel;
 }
 
-// Of the fronts.
+// Styles of the fronts.
 enum FrontStyle : std::size_t { kCloud, kCheckFront, kFront, kFileDesign, kCompromise };
 
 Polyline points_of_front(const Search& search, std::size_t x, std::size_t y) {
@@ -125,9 +125,9 @@ Panel front_panel(const OptimizationResult& result, std::size_t x, std::size_t y
   return panel;
 }
 
-/// The fronts alone, where the other designs squeeze them into a corner.
+/// The fronts alone, if the other designs compress them into a corner.
 std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel panel, std::size_t x, std::size_t y) {
-  constexpr double kSqueezed = 0.25;  // Share of an axis.
+  constexpr double kSqueezed = 0.25;  // Share of an axis below which a front counts as compressed.
   Range at_x, at_y;
   const auto add = [&](const Search& search) {
     for (const std::size_t k : search.front) {

@@ -8,7 +8,7 @@ namespace {
 
 struct Interrupted {};
 
-/// Answers to the designs in the order in which they are asked for, those of the journal first.
+/// Results of the designs in the order of requests, those of the journal first.
 class Answers {
  public:
   Answers(const Optimization& optimization, const EvaluateDesigns& evaluate, Journal& journal,
@@ -19,7 +19,7 @@ class Answers {
         width_(optimization.study.responses.size()),
         total_(design_count(optimization)) {
     for (const Journal::Record& record : journal.records()) {
-      // Records follow each other; what came after damage does not.
+      // Records must be contiguous; those after damage are ignored.
       if (record.designs.first != found_) break;
       found_ = record.designs.end();
     }
@@ -64,9 +64,9 @@ class Answers {
   const OptimizeOptions& options_;
   std::size_t width_;
   std::size_t total_;
-  std::size_t asked_ = 0;        ///< Designs so far.
-  std::size_t found_ = 0;        ///< Designs that the journal held in the beginning.
-  std::size_t next_record_ = 0;  ///< After that of `block_`.
+  std::size_t asked_ = 0;        ///< Number of designs requested.
+  std::size_t found_ = 0;        ///< Number of designs in the journal at the start.
+  std::size_t next_record_ = 0;  ///< Index of the record after that of `block_`.
   RowBlock block_;
 };
 
@@ -76,8 +76,7 @@ std::vector<Draw> draws_at(const Optimization& optimization, const std::vector<d
   return draws;
 }
 
-/// Position of the file's own value, such that `draw_at` gives it back; absent where the variable
-/// does not have it.
+/// Position of the file's own value, for which `draw_at` gives that value; absent if the variable does not have it.
 std::optional<double> place_of_base(const Factor& variable) {
   if (!variable.base) return std::nullopt;
   const auto& [kind, from, to] = variable.distribution;
@@ -94,8 +93,7 @@ std::optional<double> place_of_base(const Factor& variable) {
   return std::nullopt;
 }
 
-/// A Latin hypercube in the unit cube. The first design is that of the file, where the variables
-/// have it.
+/// A Latin hypercube in the unit cube. The first design is that of the file, if the variables have its values.
 Points first_population(const Optimization& optimization, std::uint64_t seed) {
   const std::vector<Factor>& variables = optimization.study.factors;
   Points points(optimization.population, std::vector<double>(variables.size()));
@@ -143,7 +141,7 @@ Search search(const Optimization& optimization, Algorithm algorithm, std::uint64
   return search;
 }
 
-/// The design with an answer that violates least.
+/// Index of the design with a result and the smallest violation.
 std::optional<std::size_t> nearest(const OptimizationResult& result) {
   std::optional<std::size_t> nearest;
   double least = std::numeric_limits<double>::infinity();
@@ -156,7 +154,7 @@ std::optional<std::size_t> nearest(const OptimizationResult& result) {
 }
 
 OptimizationResult run(const Optimization& optimization, Answers& answers) {
-  // The check has random numbers of its own.
+  // The check has a separate seed.
   OptimizationResult result{optimization, {}, {}, {}, {}};
   const std::vector<Draw> as_in_file(optimization.study.factors.size());
   result.initial = answers({as_in_file}).front();
@@ -173,17 +171,16 @@ OptimizationResult run(const Optimization& optimization, Answers& answers) {
   return result;
 }
 
-/// To a power of ten, at most a millionth of the range.
+/// Value rounded to a power of ten, at most a millionth of the range.
 double rounded(double value, double range) {
-  constexpr int kMostDecimals = 22;  // Powers of ten up to here are exact.
+  constexpr int kMostDecimals = 22;  // Largest exact power of ten.
   const int decimals = 6 - static_cast<int>(std::floor(std::log10(range)));
   if (std::abs(decimals) > kMostDecimals) return value;
   const double power = std::pow(10.0, std::abs(decimals));
   return decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
 }
 
-/// Designs that a thread takes at once: as many as the other threads do, at most what the engine
-/// takes.
+/// Number of designs that a thread takes at once: an equal share, at most the engine's limit.
 std::size_t piece_of(const DesignEngine& engine, std::size_t designs, std::size_t threads) {
   return std::clamp<std::size_t>((designs + threads - 1) / threads, 1, engine.chunk());
 }
@@ -268,7 +265,7 @@ double limit_of(const Constraint& constraint, const EvaluatedDesign& design, con
 
 std::optional<double> change_percent(double value, double initial) {
   const double change = 100.0 * (value / initial - 1.0);
-  // Against the rounding of a zero no change has a meaning.
+  // Relative to a rounded zero a change has no meaning.
   return std::abs(change) < 1e9 ? std::optional(change) : std::nullopt;
 }
 
@@ -308,17 +305,17 @@ SearchCounts count(const Search& search) {
 
 namespace {
 
-constexpr double kLinear = 1e3;      // Up to here an objective is as it is,
-constexpr double kInfeasible = 4e3;  // above twice that are the infeasible designs,
-constexpr double kNoAnswer = 6e3;    // above these the ones without an answer.
+constexpr double kLinear = 1e3;      // Limit up to which an objective is unchanged;
+constexpr double kInfeasible = 4e3;  // infeasible designs are above twice that,
+constexpr double kNoAnswer = 6e3;    // designs without a result above these.
 
-/// Strictly increasing, smooth, between -2000 and 2000.
+/// Strictly increasing, smooth function with values between -2000 and 2000.
 double compressed(double x) {
   const double size = std::abs(x);
   return size <= kLinear ? x : std::copysign(2.0 * kLinear - kLinear * kLinear / size, x);
 }
 
-/// What is missing to a constraint, relative.
+/// Relative violation of a constraint.
 double violation(const Constraint& constraint, const EvaluatedDesign& design, const EvaluatedDesign& initial) {
   const double value = design.responses[constraint.response];
   const double limit = limit_of(constraint, design, initial);
@@ -332,12 +329,12 @@ double violation(const Constraint& constraint, const EvaluatedDesign& design, co
   return missing / (scale > 0.0 ? scale : 1.0);
 }
 
-/// Whether a is nowhere worse than b; equal points do not worsen each other either.
+/// Whether a is nowhere worse than b; equal points cover each other.
 bool covers(const std::vector<double>& a, const std::vector<double>& b) {
   return std::ranges::equal(a, b, std::ranges::less_equal{});
 }
 
-/// Least and greatest coordinates.
+/// Smallest and largest coordinates.
 struct Extent {
   std::vector<double> from, to;
 
@@ -350,7 +347,7 @@ struct Extent {
       to[k] = std::max(to[k], point[k]);
     }
   }
-  /// From 0 to 1 over the extent.
+  /// Coordinates scaled to 0 to 1 over the extent.
   std::vector<double> scaled(const std::vector<double>& point) const {
     std::vector<double> u;
     for (std::size_t k = 0; k < point.size(); ++k)
@@ -365,7 +362,7 @@ Points costs_of_front(const Optimization& optimization, const Search& search) {
   return points;
 }
 
-/// What the chosen design has least of.
+/// Quantity that is smallest for the chosen design.
 double merit(const Compromise& compromise, const std::vector<double>& u) {
   switch (compromise.by) {
     case Compromise::By::ideal:
@@ -482,7 +479,7 @@ std::optional<std::size_t> compromise_of(const OptimizationResult& result) {
 
 FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial, const Search& search,
                                const Search& check) {
-  constexpr double kMargin = 0.1;  // So that the ends of a front count.
+  constexpr double kMargin = 0.1;  // Margin with which the ends of a front count.
   FrontComparison comparison;
   Points ours = costs_of_front(optimization, search);
   Points theirs = costs_of_front(optimization, check);

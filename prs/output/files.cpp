@@ -68,11 +68,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Longest list that is read [bytes].
+/// Longest list of files that is read [bytes].
 constexpr std::size_t kLongestList = std::size_t{16} << 20;
 constexpr std::size_t kMostNamed = 3;
 
-/// What the process wrote since its run began.
+/// Files that the process wrote since its run began.
 struct RunRecord {
   std::mutex mutex;
   bool active = false;
@@ -85,13 +85,13 @@ RunRecord& record() {
   return only;
 }
 
-/// Paths below the folder, and the digests of what the run wrote there.
+/// Paths below the folder, and the digests of the files that the run wrote there.
 using Digests = std::map<std::string, std::string>;
 
 /// The files of one run.
 struct Listed {
   std::string command;
-  std::string case_digest;  ///< Empty where the command reads no case.
+  std::string case_digest;  ///< Empty if the command reads no case.
   Digests files;
 };
 
@@ -109,15 +109,15 @@ bool is_result(std::string_view path) {
                               [](const std::string& part) { return part.empty() || part == "." || part == ".."; });
 }
 
-/// A file below an open folder, by its name in the last of the folders on the way to it.
+/// A file below an open folder: the folders on its path, and its name in the last.
 struct Place {
-  std::vector<FileDescriptor> folders;  ///< One for each part of the path but the last.
+  std::vector<FileDescriptor> folders;  ///< One for each part of the path except the last.
   std::vector<std::string> parts;
 
   int parent(const FileDescriptor& top) const { return folders.empty() ? top.get() : folders.back().get(); }
 };
 
-/// Absent where a folder on the way is missing or a symbolic link.
+/// Place of a path; absent if a folder on it is missing or a symbolic link.
 std::optional<Place> place_of(const FileDescriptor& top, const std::string& path) {
   Place place{{}, parts_of(path)};
   for (std::size_t k = 0; k + 1 < place.parts.size(); ++k) {
@@ -128,7 +128,7 @@ std::optional<Place> place_of(const FileDescriptor& top, const std::string& path
   return place;
 }
 
-/// SHA-256 of a regular file; empty where there is none.
+/// SHA-256 of a regular file; empty if there is none.
 std::string digest_of(const FileDescriptor& top, const Place& place) {
   const RegularFile opened = open_regular(place.parts.back().c_str(), O_RDONLY, 0, place.parent(top));
   return opened.file.is_open() ? sha256(opened.file).value_or("") : "";
@@ -136,7 +136,7 @@ std::string digest_of(const FileDescriptor& top, const Place& place) {
 
 enum class Removal { removed, changed, absent };
 
-/// Removes a file that is as it was listed, and the folders that are empty then.
+/// Removes a file that is as listed, and folders that become empty.
 Removal remove_listed(const FileDescriptor& top, const std::string& path, const std::string& digest) {
   const std::optional<Place> place = place_of(top, path);
   struct stat status {};
@@ -152,7 +152,7 @@ Removal remove_listed(const FileDescriptor& top, const std::string& path, const 
   return Removal::removed;
 }
 
-/// What a text lists; absent where it is no list.
+/// Runs in the text of a list; absent if it is not a list.
 std::optional<std::vector<Listed>> parsed_list(const std::string& text) try {
   const Json list = Json::parse(text);
   std::vector<Listed> runs;
@@ -177,17 +177,17 @@ std::string list_text(const std::vector<Listed>& runs) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-/// Keeps other runs from the list for as long as the folder stays open, if they let go of it soon.
+/// Locks the list against other runs while the folder is open, if they release it soon.
 bool lock(const FileDescriptor& folder, const fs::path& name) try {
   return lock_file(folder, LOCK_EX, name);
 } catch (const std::runtime_error&) {  // The file system has no locks.
   return false;
 }
 
-/// Whether a command's results stay next to those of another case.
+/// Whether a command's results are kept beside those of another case.
 bool takes_long(std::string_view command) { return command == "study" || command == "optimize"; }
 
-/// Path of a file below a folder; empty where it stands elsewhere.
+/// Path of a file below a folder; empty if it is elsewhere.
 std::string path_below(const fs::path& folder, const fs::path& file) {
   std::error_code ignored;
   const std::string path =
@@ -195,7 +195,7 @@ std::string path_below(const fs::path& folder, const fs::path& file) {
   return path.empty() || path == "." || path.starts_with("..") ? std::string() : path;
 }
 
-/// The lines of a YAML text that are more than a comment, without what trails them.
+/// Lines of a YAML text that are more than a comment, without comments at their ends.
 std::string without_comments(std::string_view text) {
   std::string kept;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -226,7 +226,7 @@ std::string digest_of_case_file(const fs::path& file, const std::vector<std::str
 
 std::string files_text(std::size_t count) { return count == 1 ? "1 file" : fmt::format("{} files", count); }
 
-/// What the process wrote since the record began; from now on it records no more.
+/// Files that the process wrote since the record began; stops recording.
 Listed files_of_record(const FileDescriptor& folder, const fs::path& name, const std::string& command) {
   Listed own{command, {}, {}};
   std::vector<fs::path> written;
@@ -248,7 +248,7 @@ Listed files_of_record(const FileDescriptor& folder, const fs::path& name, const
   return own;
 }
 
-/// The runs in a folder's list, none where there is no list; nothing where it cannot be read.
+/// Runs in a folder's list, an empty list if there is none; absent if it cannot be read.
 std::optional<std::vector<Listed>> former_runs(const FileDescriptor& folder) {
   const RegularFile list = open_regular(std::string(kFileList).c_str(), O_RDONLY, 0, folder.get());
   if (!list.file.is_open()) return std::vector<Listed>{};
@@ -256,14 +256,14 @@ std::optional<std::vector<Listed>> former_runs(const FileDescriptor& folder) {
   return text ? parsed_list(*text) : std::nullopt;
 }
 
-/// Former runs: those whose files stay, and those whose files are out of date.
+/// Former runs: those whose files are kept, and those whose files are out of date.
 struct SortedRuns {
   std::vector<Listed> listed, stale;
-  bool kept = false;  ///< Long work on another case is among those that stay.
+  bool kept = false;  ///< Whether results of long work on another case are kept.
 };
 
-/// `own` is the run that ends; one that did not come to its end makes nothing out of date, and the
-/// run that wrote the case stays.
+/// Sorts former runs. `own` is the ending run; if it is not complete, it makes nothing out of date, and the run that
+/// wrote the case is kept.
 SortedRuns sorted_runs(std::vector<Listed> former, const Listed& own, bool complete, const std::string& case_path) {
   SortedRuns sorted;
   for (Listed& run : former) {
@@ -282,7 +282,7 @@ SortedRuns sorted_runs(std::vector<Listed> former, const Listed& own, bool compl
   return sorted;
 }
 
-/// Removes what is as it was listed, and notes what was removed and what was not.
+/// Removes files that are as listed, and notes which were removed and which were not.
 void remove_stale(const FileDescriptor& folder, const fs::path& name, const std::vector<Listed>& stale,
                   std::vector<std::string>& notes) {
   std::size_t removed = 0;
@@ -338,11 +338,11 @@ RunFiles::~RunFiles() {
   try {
     if (!finished_) update(false);
   } catch (const std::exception&) {
-    // What ended the run is reported; files that are not listed stay.
+    // The error that ended the run is reported; unlisted files stay.
   }
   lock_.reset();
   for (const fs::path& folder : made_)
-    if (::rmdir(folder.c_str()) != 0) break;  // It holds results.
+    if (::rmdir(folder.c_str()) != 0) break;  // Not empty: it holds results.
 }
 
 std::vector<std::string> RunFiles::finish() {

@@ -21,7 +21,7 @@
 namespace prs {
 namespace {
 
-/// More at once are not in the list, and left where a signal ends the program.
+/// Paths to remove; further ones are not in the list, and stay if a signal ends the program.
 std::array<std::atomic<const char*>, 512> paths;
 std::atomic<bool> ending;
 
@@ -29,18 +29,18 @@ void remove_path(const char* path) {
   if (::unlink(path) != 0) ::rmdir(path);
 }
 
-/// Who removes paths reads them until the end.
+/// Waits if a signal handler is removing paths, which reads them until the end.
 void wait_if_ending() {
   while (ending) ::pause();
 }
 
-/// 0, or why the file cannot grow to so many bytes.
+/// Reserves space; returns 0, or the error that prevents it.
 int reserve_on_disk(int file, std::uint64_t bytes) {
   rlimit limit{};
   if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < bytes) return EFBIG;
   if (::fallocate(file, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0) return 0;
   if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG) return errno;
-  // A file system that cannot reserve says at least how much there is.
+  // On a file system that cannot reserve, the free space is compared.
   struct statvfs free {};
   if (::fstatvfs(file, &free) != 0) return 0;
   return free.f_bavail < bytes / free.f_frsize ? ENOSPC : 0;
@@ -50,7 +50,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestHolder = 1000;
 
-/// A process that has ended and that nobody has waited for does not live.
+/// Whether a process runs; one that has ended and is not yet waited for does not.
 bool is_alive(pid_t process) {
   if (::kill(process, 0) != 0) return errno == EPERM;
   std::ifstream file(fmt::format("/proc/{}/stat", process));
@@ -59,7 +59,7 @@ bool is_alive(pid_t process) {
   return name_end == text.npos || !text.substr(name_end).starts_with(") Z");
 }
 
-/// What the holder of a lock wrote into its file; nothing where it has not come that far.
+/// Text that the holder of a lock wrote into its file; none if it has not done so yet.
 struct Holder {
   pid_t process = 0;
   FolderLock::Run run;
@@ -96,7 +96,7 @@ bool is_in_place(const FileDescriptor& file, const fs::path& path) {
                   folder.string(), who));
 }
 
-/// The file of the lock, which the process has from now on.
+/// The lock file, which the process then holds.
 FileDescriptor locked(const fs::path& path, int kind, const FolderLock::Run& run) {
   for (;;) {
     FileDescriptor file = open_study_file(path, O_RDWR | O_CREAT);
@@ -109,19 +109,19 @@ FileDescriptor locked(const fs::path& path, int kind, const FolderLock::Run& run
     bool is_ours = false;
     try {
       is_ours = lock_file(file, kind, path, wait);
-    } catch (const OfAnotherCase&) {  // It would remove what the other one has just written.
+    } catch (const OfAnotherCase&) {  // The run would remove the files that the other one has just written.
     }
     if (!is_ours) refuse_held(path.parent_path(), Holder(file));
     if (!is_in_place(file, path)) continue;
-    // Who shares the folder names one of those who do. Where it cannot be written, nobody is named.
+    // Runs that share the folder name one of them. If writing fails, none is named.
     if (::ftruncate(file.get(), 0) == 0) write_all(file, text_of(run));
     return file;
   }
 }
 
-/// Removes files that processes wrote under temporary names when they died.
+/// Removes files under temporary names of processes that died.
 void remove_unfinished(const fs::path& folder) {
-  // Those of a study and of pictures are made under the lock alone.
+  // Temporary files of a study and of pictures are made only by the holder of the lock.
   static const std::regex kOwn(R"((study(_figures)?\..*|.*\.(svg|png))\.\d+-\d+\.tmp)");
   static const std::regex kAny(R"(.+\.(\d{1,9})-\d+\.tmp)");
   for (const fs::path& directory : {folder, folder / "plots"}) {
@@ -177,7 +177,7 @@ UnfinishedPath::~UnfinishedPath() {
 
 void remove_unfinished() noexcept {
   ending = true;
-  for (const auto remove : {::unlink, ::rmdir})  // Folders when they are empty.
+  for (const auto remove : {::unlink, ::rmdir})  // Files, then folders if they are empty.
     for (const auto& path : paths)
       if (const char* name = path) remove(name);
 }
@@ -259,7 +259,7 @@ FolderLock::FolderLock(const fs::path& folder, int kind, const Run& run) : path_
 }
 
 FolderLock::~FolderLock() {
-  // The last one clears up; who opened the file meanwhile finds it out of place.
+  // The last holder removes the file; others that have opened it meanwhile find it out of place.
   if (file_.is_open() && ::flock(file_.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(path_.c_str());
 }
 

@@ -13,7 +13,7 @@ PRS_EMBED(own_source_id, "source_id")
 namespace prs {
 namespace {
 
-constexpr std::size_t kLargestPart = 16'000'000;  ///< Bytes.
+constexpr std::size_t kLargestPart = 16'000'000;  ///< Size in bytes.
 
 }  // namespace
 

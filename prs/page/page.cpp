@@ -29,9 +29,9 @@ PRS_EMBED(loader, "prs/page/live/engine.js")
 namespace prs {
 namespace {
 
-constexpr std::size_t kLargestLivePage = 2'900'000;  ///< Bytes.
+constexpr std::size_t kLargestLivePage = 2'900'000;  ///< Size in bytes.
 
-/// What the engine leaves for the rest, and what is tried where that is still too much.
+/// Space beside the engine for the rest, and smaller amounts that are tried if the page is too large.
 constexpr ReportRoom kRoomsWithEngine[] = {{500'000, 300'000, 150'000}, {200'000, 150'000, 50'000}};
 
 std::string base64(std::string_view bytes) {
@@ -40,8 +40,8 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// Five letters for four bytes, a sixteenth less than base64, after their number: those from `(` to
-/// `|`, but `}` and `~` for `<` and the backslash.
+/// Number of bytes, then five letters for each four of them, a sixteenth less than base64: the characters from `(` to
+/// `|`, but `}` and `~` in place of `<` and the backslash.
 std::string base85(std::string_view bytes) {
   std::string text = fmt::format("{} ", bytes.size());
   for (std::size_t k = 0; k < bytes.size(); k += 4) {
@@ -68,7 +68,7 @@ std::string deflated(std::string_view text) {
   return packed;
 }
 
-/// As policies name a style or a script by its text.
+/// Hash by which policies allow the text of a style or a script.
 std::string policy_hash(std::string_view text) {
   const std::string digest = sha256(text);
   std::string bytes;
@@ -77,7 +77,7 @@ std::string policy_hash(std::string_view text) {
   return "sha256-" + base64(bytes);
 }
 
-/// Data in a script element, where no `<` may stand, nor what turns the direction of writing.
+/// Data in a script element, which may contain neither `<` nor characters that turn the direction of writing.
 std::string data_block(const char* id, const Json& json) {
   std::string text;
   for (const char c : printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)))
@@ -97,7 +97,7 @@ Json texts_of(const input::Source& source) {
   return json;
 }
 
-/// What the page asks its engine about.
+/// Case for the engine of the page.
 Json case_of(const input::Source& source) {
   const input::CaseInput in = input::read_case_input(source, Command::check);
   Json json = texts_of(source);
@@ -120,7 +120,7 @@ std::string css_string(std::string_view content) {
   return text + '"';
 }
 
-/// What stands at the foot of every sheet of a print.
+/// Style of the footer of every printed sheet.
 std::string sheet_style(const ReportParts& parts) {
   return fmt::format(
       "@page{{@bottom-left{{content:{}}}@bottom-right{{content:\"Sheet \" counter(page) \" of \" "
@@ -135,13 +135,13 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
       section.id, section.title, section.body, hidden ? " hidden" : "", before);
 }
 
-/// What lets a page run its scripts, of which its own and that of the mechanism are packed in it.
+/// Policy that allows a page to run its scripts, of which its own and that of the mechanism are packed in it.
 std::string script_policy(const LiveParts& parts, const LiveParts::Packed& own) {
   return fmt::format("; script-src '{}' '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
                      policy_hash(parts.start), own.hash, parts.mechanism.hash);
 }
 
-/// A sentence in which commands stand between backquotes.
+/// A sentence with commands between backquotes.
 std::string sentence_html(std::string_view sentence) {
   std::string text;
   bool command = false;
@@ -158,7 +158,7 @@ std::string style_of_pages() {
   return fmt::format("{}{}:root{{--scale:{}}}\n", style_sheet(), svg_style(), fmt::join(kScaleColours, ","));
 }
 
-/// The whole file. Without `live` it has no scripts, and says why where `still` does.
+/// The whole file. Without `live` it has no scripts, and gives the reason if `still` does.
 std::string page_html(const input::Source& source, const ReportParts& parts, const LiveParts* live,
                       std::string_view still = {}) {
   const std::string style = style_of_pages() + sheet_style(parts);
@@ -186,7 +186,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts, con
       fmt::arg("style_hash", policy_hash(style)), fmt::arg("scripts", policy), fmt::arg("title", html(parts.title)),
       fmt::arg("style", style), fmt::arg("changed", live ? "<p id=\"changed\" hidden></p>\n" : ""),
       fmt::arg("kind", live ? " is-live" : ""), fmt::arg("head", parts.head), fmt::arg("links", links),
-      // It is shown by the script alone.
+      // Shown by the script only.
       fmt::arg("panel", panel_or_reason), fmt::arg("body", body), fmt::arg("foot", parts.foot), fmt::arg("data", data));
 }
 

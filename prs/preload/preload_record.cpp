@@ -11,7 +11,7 @@ struct SideOf {
   const SideLoads* loads = nullptr;
 };
 
-/// What a fit becomes at the temperatures of the parts.
+/// A fit at the temperatures of the parts.
 struct WarmOf {
   const PreloadResult* result = nullptr;
 };

@@ -11,13 +11,13 @@ using fe::Dof;
 
 fe::SpringElement& spring_of(PreloadSector& s, int k) { return s.model.springs[static_cast<std::size_t>(k)]; }
 
-/// How a nut is held: the section, and the sense of the external load that rests on it.
+/// Support of a nut: the section, and the sense of the external load that rests on it.
 struct Held {
   Direction sense;
   double section;
 };
 
-/// The sector whose contacts lie on the flanks of one direction, its nut as it is held.
+/// The sector whose contacts lie on the flanks of one direction, with its nut supported as given.
 Sector sector_of(const PreloadParts& p, Structure structure, Direction flanks, const Held& held, double position) {
   const auto built = [&](Direction direction) {
     (direction == Direction::tension ? structure.nut.thrust.tension : structure.nut.thrust.compression) = held.section;
@@ -28,7 +28,7 @@ Sector sector_of(const PreloadParts& p, Structure structure, Direction flanks, c
   Sector other = built(flanks);
   assert(sector.model.nodes == other.model.nodes && sector.screw_nodes == other.screw_nodes &&
          sector.roller_nodes == other.roller_nodes && sector.nut_nodes == other.nut_nodes);
-  // The radius that the nut's nodes belong to depends on how it is held.
+  // The radius of the nut's nodes depends on its support.
   for (int k = 0; k < other.contacts(); ++k) {
     const auto spring = static_cast<std::size_t>(other.spring(Interface::nut, k));
     other.model.springs[spring].to = sector.model.springs[spring].to;
@@ -44,7 +44,7 @@ std::vector<int> screw_nodes(const Sector& s) {
   return nodes;
 }
 
-/// The side of a sector whose springs stand `first_spring` further on in the joint model.
+/// Side of a sector whose springs start at `first_spring` in the joint model.
 Side side_of(const Sector& s, int first_spring) {
   Side side;
   for (const Interface i : kInterfaces)
@@ -54,7 +54,7 @@ Side side_of(const Sector& s, int first_spring) {
   return side;
 }
 
-/// A flank whose nodes `number` maps to those of the whole.
+/// A flank whose nodes `number` maps to those of the joint model.
 template <class Number>
 PreloadSector::Flank flank_of(const Sector& s, Number number) {
   PreloadSector::Flank flank{std::make_shared<const Sector>(s), {}};
@@ -91,7 +91,7 @@ int nut_end(const Sector& s, int node, bool far) {
   return node;
 }
 
-/// Adds a model whose nodes `number` maps to those of the whole.
+/// Adds a model whose nodes `number` maps to those of the joint model.
 template <class Number>
 void append(fe::Model& whole, const fe::Model& part, Number number) {
   for (const fe::BarElement& e : part.bars) whole.bars.push_back({number(e.first), number(e.second), e.bar});
@@ -112,7 +112,7 @@ void append(fe::Model& whole, const fe::Model& part, Number number) {
   for (const fe::FixedSupport& s : part.fixed_supports) whole.fixed_supports.push_back({number(s.node), s.dof});
 }
 
-/// The second nut, held by nothing, on a screw that starts at the last contact of the first.
+/// The second nut, without support, on a screw that starts at the last contact of the first.
 Sector free_second_nut(const PreloadParts& p) {
   Structure structure = p.structure;
   structure.screw.free_length = *p.preload.distance;
@@ -177,7 +177,7 @@ void add_expansion(PreloadSector& s, const PreloadParts& p) {
       const double ahead = screw ? 1.0 : -1.0, psi = p.laws[i].normal_angle;
       const double stretch = ahead * (strain(body_of(i)) - strain(Part::roller));
       const double closing = growth(Part::roller) + ahead * growth(body_of(i));
-      // The second nut of two follows the first one.
+      // The second nut follows the first one.
       const double first =
           !shared && side == Direction::tension ? 2.0 * middle + *p.preload.distance - middle : -middle;
       for (std::size_t k = 0; k < s.sides[side].springs[i].size(); ++k)
@@ -190,9 +190,9 @@ void add_expansion(PreloadSector& s, const PreloadParts& p) {
 
 constexpr int kRootBits = 44;
 constexpr boost::uintmax_t kMostEvaluations = 100;
-constexpr double kStep = 1.5;  ///< In the search for a bracket.
+constexpr double kStep = 1.5;  ///< Factor of the search for a bracket.
 
-/// A side that is still closed at half of that many times the preload stays so.
+/// Largest load, over half the preload, at which the opening of a side is searched.
 constexpr double kMostOpening = 2000.0;
 /// Largest interference of deformable bodies, as a multiple of that of rigid bodies.
 constexpr double kMostInterference = 1e12;
@@ -209,8 +209,7 @@ double root_between(const F& f, double low, double high) {
   return 0.5 * (a + b);
 }
 
-/// The first root between `low` > 0, a place below the root, and `times` times `low`. NaN where
-/// there is none.
+/// The first root between `low` > 0, a place below the root, and `times` times `low`. NaN if there is none.
 template <class F>
 double root_above(const F& f, double low, double times) {
   const double most = low * times;
@@ -219,7 +218,7 @@ double root_above(const F& f, double low, double times) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Hertz approach of each thread where all share an axial load of the whole mechanism [m].
+/// Hertz approach of each thread if all share an axial load of the whole mechanism [m].
 double equal_approach(const PreloadSector& s, Interface i, double axial_load) {
   const double threads = s.rollers * static_cast<double>(s.sides.tension.springs[i].size());
   const double cosine = std::cos(s.laws[i].normal_angle);
@@ -240,7 +239,7 @@ double rigid_interference(const PreloadSector& s, double axial_load) {
   return sum;
 }
 
-/// A single nut's fit for the whole interference, the rollers afloat between screw and nut.
+/// A single nut's fit for the whole interference, with floating rollers between screw and nut.
 Fit afloat(const PreloadSector& s, double interference) {
   const auto fit = [&](double screw) { return Fit{{screw, interference - screw}, 0.0}; };
   const auto imbalance = [&](double screw) {
@@ -251,7 +250,7 @@ Fit afloat(const PreloadSector& s, double interference) {
         radial[i] += solver.at_rest().sides[d].axial_load[i] * std::tan(s.laws[i].normal_angle);
     return std::cbrt(radial.screw * radial.screw) - std::cbrt(radial.nut * radial.nut);
   };
-  // From where expansion alone, which opens or closes an interface, leaves nothing of its overlap.
+  // Interference from which expansion alone, which opens or closes an interface, leaves none of its overlap.
   const auto closed = [&](Interface i) {
     double most = -std::numeric_limits<double>::infinity();
     for (const Direction d : kDirections)
@@ -323,7 +322,7 @@ PreloadSector one_sided(PreloadSector s, Direction carrying) {
   return s;
 }
 
-/// One set of equations: both sides at work, or one of them alone.
+/// One set of equations: with both sides loaded, or one of them alone.
 class PreloadSolver::Branch {
  public:
   explicit Branch(PreloadSector sector)
@@ -340,7 +339,7 @@ class PreloadSolver::Branch {
     return newton_.solve(axial_force / sector_.rollers * pull_ + equations_.load_vector(further), options, q);
   }
 
-  /// Rigid bodies, each side compressed alike.
+  /// State of rigid bodies, each side compressed equally.
   fe::State rest_start() const {
     Eigen::VectorXd q = Eigen::VectorXd::Zero(equations_.size());
     const double quarter = 0.25 * sector_.fit.axial;
@@ -350,7 +349,7 @@ class PreloadSolver::Branch {
     return fe::State(std::move(q));
   }
 
-  /// Rigid bodies, the load shared equally by the threads of one side.
+  /// State of rigid bodies with the load shared equally by the threads of one side.
   fe::State start(double axial_force, Direction carrying) const {
     const auto shift = [&](Interface i) {
       double widest = -std::numeric_limits<double>::infinity();
@@ -400,8 +399,8 @@ class PreloadSolver::Branch {
     return all;
   }
 
-  /// Overlap of a side at its closest threads [m], which is open where < 0. The rollers of a double
-  /// nut carry what the screw gives to the nut: there the overlaps of both interfaces add.
+  /// Overlap of a side at its closest threads [m]; the side is open if < 0. The rollers of a double nut carry the load
+  /// from the screw to the nut: there the overlaps of both interfaces add.
   double overlap(const fe::State& q, Direction side) const {
     PerInterface<double> closest;
     for (const Interface i : kInterfaces) {
@@ -431,7 +430,7 @@ PreloadSolver::PreloadSolver(PreloadSector sector) : sector_(std::move(sector)) 
   preloaded_ = overlap > 0.0;
   rest_.solve.status = fe::NewtonStatus::converged;
   if (!preloaded_) return;
-  // What rigid bodies would carry, for the scale.
+  // Interference of rigid bodies, as a scale.
   const double unit = rigid_interference(sector_, 1.0);
   rest_state_ = both().rest_start();
   rest_.solve = both().solve(0.0, std::pow(overlap / unit, 1.5), rest_state_);
@@ -478,7 +477,7 @@ PreloadPoint PreloadSolver::solve(double axial_force) {
   last_ = &branch(sense);
   last_state_ = last_->start(axial_force, sense);
   point.solve = last_->solve(axial_force, scale, last_state_);
-  // Also without preload a bent roller may reach the flanks behind it.
+  // Even without preload a bent roller may touch the flanks behind it.
   if (!point.solve.converged() || last_->overlap(last_state_, opposite(sense)) > 0.0) {
     last_ = &both();
     last_state_ = preloaded_ ? rest_state_ : last_->start(axial_force, sense);
@@ -489,7 +488,7 @@ PreloadPoint PreloadSolver::solve(double axial_force) {
 }
 
 PreloadPoint PreloadSolver::go_on(double axial_force, const std::vector<fe::NodalLoad>& further) {
-  // Friction may close the other flank of a roller; a loose second roller has no place.
+  // Friction may close the other flank of a roller; a loose second roller has no defined position.
   if (sector_.rollers_are_shared()) last_ = &both();
   PreloadPoint point;
   point.axial_force = axial_force;
@@ -509,7 +508,7 @@ std::optional<double> PreloadSolver::opening_force(Direction sense) {
     solved = b.solve(signed_force, force_scale(force), q).converged() && solved;
     return -b.overlap(q, opposite(sense));
   };
-  // The side that carries has taken over at least what it held against the other.
+  // The loaded side carries at least the preload that it held against the other side.
   const double opening = root_above(clearance, 0.5 * rest_.sides[sense].axial_load.screw, kMostOpening);
   if (solved && std::isfinite(opening)) opening_[sense] = opening;
   return opening_[sense];

@@ -41,7 +41,7 @@ std::vector<double> loads_of(const LoadSweep& sweep) {
   return loads;
 }
 
-/// `where` introduces the reason why a load did not converge, which becomes a warning.
+/// `where`: beginning of the sentence with the reason why a load did not converge, which becomes a warning.
 PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& loads, double lost_motion_load,
                       std::string_view where, std::vector<Warning>& warnings) {
   const auto warn = [&](double load, const fe::NewtonSummary& summary) {
@@ -163,7 +163,7 @@ LoadCaseResult FlankSolver::solve(const LoadCase& load_case) {
   const Direction named = *load_case.direction;
   solver_ = &last_->mechanism[named];
   PreloadPoint point = solver_->solve(-sense(named) * load_case.axial_force);
-  // A loose screw without a load.
+  // Warns of a loose screw without a load.
   for (const Direction d : kDirections)
     for (const Interface i : kInterfaces)
       point.sides[d].normal_load[i].resize(solver_->sector().sides[d].springs[i].size());

@@ -6,16 +6,16 @@
 
 namespace prs {
 
-/// Path of a record in documents: `life`, `load_cases[]` for each item of a list, or
-/// `load_cases[].slip` as a key that an analysis adds to the record of another.
+/// Path of a record in documents: `life`, `load_cases[]` for each item of a list, or `load_cases[].slip` for a key that
+/// an analysis adds to the record of another.
 struct Place {
   std::string_view path;
   const RecordInfo& (*record)() = nullptr;
   bool required = true;           ///< Whether every document of the analysis has it.
-  std::string_view meaning = {};  ///< Meaning of a key that is added.
+  std::string_view meaning = {};  ///< Meaning of an added key.
 };
 
-/// Getters of the warnings that a result has on the whole case, to read and to add to.
+/// Read and write access to the warnings of a result on the whole case.
 template <class R>
 struct OwnWarnings {
   template <class Get>
@@ -28,42 +28,42 @@ struct OwnWarnings {
   std::vector<Warning>& (*write)(R&);
 };
 
-/// An analysis of a case: all that the program knows of it. Commands, documents, schemas, files,
-/// pages, studies and Python read it.
+/// An analysis of a case: all that the program needs to know about it, read by commands, documents, schemas, files,
+/// pages, studies and Python.
 template <class R>
 struct Analysis {
   Command command;
   std::string_view help;
   std::string_view file;  ///< Name of the document.
-  /// Computes the result, with the warnings that belong to the command. Throws InputError.
+  /// Computes the result, with the warnings of the command. Throws InputError.
   R (*run)(const input::Source&, const input::CaseInput&) = nullptr;
   std::span<const Place> places;
-  /// Puts the result into its document behind the head, at the places; lists of load cases empty
-  /// where `load_case` gives their items.
+  /// Writes the result into its document after the head, at the places; lists of load cases empty if `load_case` gives
+  /// their items.
   void (*put)(Json&, const R&) = nullptr;
   std::optional<Json> (*load_case)(const R&, std::size_t) = nullptr;
   std::string (*table)(const R&) = nullptr;
   std::string (*full_table)(const R&) = nullptr;  ///< Table printed with `--all`, if there is more.
-  /// To whom the document is printed; without it the warnings.
+  /// Lines for readers of the printed document; without the function the warnings.
   std::vector<std::string> (*notes)(const R&) = nullptr;
   std::vector<OutputFile> (*files)(const R&, const CsvStyle&) = nullptr;
   Pictures (*pictures)(const R&, const Case&) = nullptr;
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
-  bool (*within_tolerance)(const R&) = nullptr;    ///< Whether the result meets what it is held against.
+  bool (*within_tolerance)(const R&) = nullptr;    ///< Whether the result meets its tolerance.
   std::string (*wrong_input)(const R&) = nullptr;  ///< Error of the input that the result only reports; empty: none.
   std::vector<Headline> (*headlines)(const R&) = nullptr;
   std::vector<FoundCriterion> (*criteria)(const R&, const JudgedCase&) = nullptr;  ///< See prs/model/criterion.h.
   OwnWarnings<R> warnings = [](auto& result) -> decltype(auto) { return (result.warnings); };
-  /// Those of load cases, too; without it as `warnings`.
+  /// Warnings of load cases included; without the function as `warnings`.
   std::vector<Warning> (*all_warnings)(const R&) = nullptr;
-  PagePlace place = {};  ///< On the page.
+  PagePlace place = {};  ///< Place on the page.
   PageSection (*section)(const R&) = nullptr;
-  std::span<const std::string_view> responses = {};  ///< Responses of a study that lists none.
-  bool takes_load_cases_apart = false;               ///< Each load case has an answer of its own.
+  std::span<const std::string_view> responses = {};  ///< Responses of a study that names none.
+  bool takes_load_cases_apart = false;               ///< Whether each load case has a separate answer.
 };
 
-/// The document of a result: the origin, then what the analysis puts into it.
+/// Document of a result: its origin, then the analysis's own content.
 template <class R>
 Json document_of(const Analysis<R>& analysis, const R& result, const DocumentInfo& info, bool is_whole = true) {
   Json document = document_head(info, analysis.warnings(result));
@@ -74,40 +74,40 @@ Json document_of(const Analysis<R>& analysis, const R& result, const DocumentInf
   return document;
 }
 
-/// An analysis of any result; without `run` a search, which continues what was interrupted.
+/// An analysis of any result; one without `run` is a search, which continues interrupted runs.
 struct AnyAnalysis {
   Command command;
   std::string_view help;
-  /// Runs it on a case that was read from the source for it. Throws InputError, also for what the
-  /// case turns out to have wrong.
+  /// Runs the analysis on a case that was read from the source for it. Throws InputError, also for errors of the case
+  /// found during the analysis.
   std::function<Delivery(const input::Source&, const input::CaseInput&)> run = {};
   std::span<const Place> places = {};
   PagePlace place = {};
   std::span<const std::string_view> responses = {};
   bool takes_load_cases_apart = false;
-  std::string_view result_class = {};  ///< In Python; without it that of the command's word.
-  bool is_built = true;                ///< False in a program that names the command alone (PRS_FULL).
+  std::string_view result_class = {};  ///< Class in Python; empty: that of the command's name.
+  bool is_built = true;                ///< false in a program that only lists the command (PRS_FULL).
   bool is_judged = false;              ///< Whether it has criteria.
 };
 
-/// A kind of file that is no case, and the analysis that reads it.
+/// A kind of file other than a case, and the analysis that reads it.
 struct OtherFile {
   Command command;
   std::string_view help;
-  std::string_view name;  ///< As `prs schema` calls it: `requirement`.
-  std::string_view key;   ///< Which it has and no case: `motion`.
-  /// Computes what the command shows without options of its own. Throws InputError, as the others.
+  std::string_view name;  ///< Name for `prs schema`: `requirement`.
+  std::string_view key;   ///< Key that only this kind of file has: `motion`.
+  /// Computes the command's output without its own options. Throws InputError, as the others.
   Delivery (*run)(const input::Source&) = nullptr;
-  Delivery (*check)(const input::Source&) = nullptr;  ///< What `prs check` says of it.
+  Delivery (*check)(const input::Source&) = nullptr;  ///< Output of `prs check` for the file.
   Json (*schema)() = nullptr;
   Json (*resolved_input)(const input::Source&) = nullptr;
-  std::vector<std::string> (*files)(const input::Source&) = nullptr;  ///< Texts of those it names.
-  const RecordInfo& (*record)() = nullptr;                            ///< The document of the command, behind its head.
-  std::string_view result_class = {};                                 ///< In Python.
+  std::vector<std::string> (*files)(const input::Source&) = nullptr;  ///< Texts of the files that it names.
+  const RecordInfo& (*record)() = nullptr;                            ///< Document of the command, after its head.
+  std::string_view result_class = {};                                 ///< Class in Python.
 };
 
-/// All forms of a result; the analysis must outlive them. What `run` finds wrong with the case is
-/// reported where it stands.
+/// All forms of a result; the analysis must outlive them. Errors of the case that `run` finds are reported at their
+/// places.
 template <class R, class Run>
 Delivery delivered(const input::Source& source, const input::CaseInput& in, const Analysis<R>& analysis,
                    const Run& run) {

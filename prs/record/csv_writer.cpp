@@ -12,7 +12,7 @@
 namespace prs {
 namespace {
 
-/// Powers of ten that doubles have exactly.
+/// Powers of ten that doubles represent exactly.
 constexpr auto kPowers = [] {
   std::array<double, 23> powers{};
   double power = 1.0;
@@ -23,8 +23,9 @@ constexpr auto kPowers = [] {
   return powers;
 }();
 
-constexpr int kMostDigits = 12;     ///< A product's rounding is then below 1e-3 of the last digit.
-constexpr int kLeastExponent = -4;  ///< Below, and from `digits` on, numbers have an exponent.
+constexpr int kMostDigits = 12;  ///< Most digits for which a product's rounding is below 1e-3 of the last one.
+/// Decimal exponent below which, as from `digits` on, numbers are written with an exponent.
+constexpr int kLeastExponent = -4;
 
 constexpr auto kWholePowers = [] {
   std::array<std::uint64_t, kMostDigits + 1> powers{1};
@@ -34,7 +35,7 @@ constexpr auto kWholePowers = [] {
 
 double power(int exponent) { return kPowers[static_cast<std::size_t>(exponent)]; }
 
-/// Exponent of the first digit of a number from 1e-4 on; at a power of ten it may be the next one.
+/// Exponent of the first digit of a number from 1e-4 on; at a power of ten possibly one too large.
 int first_exponent(double size) {
   static constexpr auto kStarts = [] {
     std::array<double, kMostDigits + 8> starts{1e-4, 1e-3, 1e-2, 1e-1};
@@ -49,8 +50,8 @@ int first_exponent(double size) {
   return below + (size >= kStarts[static_cast<std::size_t>(below + 1 - kLeastExponent)] ? 1 : 0);
 }
 
-/// The digits of numbers below 10,000 side by side, 32 bits for each, the first one in the lowest
-/// byte: halves of two digits, then of one, are split side by side.
+/// Digits of numbers below 10,000 side by side, 32 bits for each, the first one in the lowest byte: halves of two
+/// digits, then of one, are split in parallel.
 std::uint64_t digits_of(std::uint64_t fours) {
   const std::uint64_t hundreds = ((fours * 10'486) >> 20U) & 0x7F'0000'007F;
   const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16U;
@@ -80,7 +81,7 @@ struct Characters {
   }
 };
 
-/// A number, alone or with its unit behind a blank: no formula however it starts.
+/// Whether a text is a number, alone or with its unit after a blank, and so never a formula.
 bool is_quantity(std::string_view text) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
   double number = 0.0;
@@ -99,7 +100,7 @@ bool is_number(std::string_view text) {
   return error == std::errc{} && stop == text.data() + text.size();
 }
 
-/// Whether a spreadsheet would compute the text in place of showing it.
+/// Whether a spreadsheet would compute the text instead of showing it.
 bool is_formula(std::string_view text) {
   return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != text.npos && !is_quantity(text);
 }
@@ -114,7 +115,7 @@ char* write_short(char* at, double value, int digits) {
   const double scaled = size * power(digits - 1 - exponent);
   const auto number = static_cast<std::int64_t>(scaled + 0.5);
   if (std::abs(scaled - static_cast<double>(number)) > 0.499) return by_fmt();
-  // At a power of ten the exponent is that of the rounded number.
+  // At a power of ten the exponent of the rounded number counts.
   const auto whole = static_cast<std::uint64_t>(number);
   if (whole < kWholePowers[static_cast<std::size_t>(digits - 1)] ||
       whole >= kWholePowers[static_cast<std::size_t>(digits)])

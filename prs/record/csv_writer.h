@@ -6,20 +6,19 @@
 
 namespace prs {
 
-/// Room that `write_short` needs for one number; what lies behind its end may be overwritten.
+/// Space that `write_short` needs for one number; the bytes after its end may be overwritten.
 inline constexpr int kShortNumberSize = 32;
 
-/// Writes a finite number with `digits` significant digits at most, 1 to 17, as fmt's `{:.Ng}` does
-/// to the last character, and returns the end. Numbers whose digits end clear of a tie, nearly all,
-/// take one product and one whole number.
+/// Writes a finite number with at most `digits` significant digits, 1 to 17, identical to fmt's `{:.Ng}`, and returns
+/// the end. Nearly all numbers, those whose digits are not close to a tie, take one product and one integer conversion.
 char* write_short(char* at, double value, int digits);
 
-/// How CSV files are written; JSON and journals always have all digits.
+/// Style of CSV files; JSON and journals always have all digits.
 struct CsvStyle {
   static constexpr int kAllDigits = 17;
 
-  /// Fields separated by `;`, numbers with a decimal comma, and the mark by which spreadsheets know
-  /// UTF-8: as spreadsheets of a European locale read it. Else `,` and a decimal point.
+  /// Whether to write for spreadsheets of a European locale: fields separated by `;`, decimal commas, and a byte order
+  /// mark. Else `,` and a decimal point.
   bool european = false;
   /// Significant digits; kAllDigits: as many as it takes to read the same number back.
   int digits = 10;
@@ -35,19 +34,19 @@ class CsvWriter {
  public:
   enum class Part { whole, rows };
 
-  /// `rows` go on in a file that has begun.
+  /// `rows` continues a file that has been begun.
   explicit CsvWriter(const CsvStyle& style, Part part = Part::whole);
 
   void text(std::string_view value);
-  /// A text that needs no quotes: a word of the program, or none.
+  /// Writes a text that needs no quotes: a word of the program, or none.
   void word(std::string_view value);
-  /// SI * factor; empty where absent or not finite.
+  /// Writes SI * factor; empty if absent or not finite.
   void number(std::optional<double> si, double factor = 1.0);
   void integer(std::optional<std::size_t> value);
   void end_row();
 
-  /// Fields as their types say: texts, flags, whole numbers, numbers that may be absent, and all
-  /// elements of a vector.
+  /// Writes fields by their types: texts, flags, whole numbers, numbers that may be absent, and all elements of a
+  /// vector.
   template <class... Values>
   void fields(const Values&... values) {
     (field(values), ...);
@@ -65,7 +64,7 @@ class CsvWriter {
   }
 
  private:
-  /// Address for the next characters, with room for so many.
+  /// Address for the next characters, with space for this many.
   char* room(std::size_t characters) {
     if (csv_.size() - size_ < characters) csv_.resize(size_ + std::max(size_, characters));
     return csv_.data() + size_;
@@ -93,7 +92,7 @@ class CsvWriter {
     }
     row_is_empty_ = false;
   }
-  /// Takes a number that was written into the room.
+  /// Accepts a number that was written at the address from `room`.
   void take_number(const char* end);
 
   CsvStyle style_;
@@ -102,12 +101,12 @@ class CsvWriter {
   bool row_is_empty_ = true;
 };
 
-/// Absent where the value is.
+/// The scaled value; absent if the value is.
 inline std::optional<double> scaled(std::optional<double> si, double factor) {
   return si ? std::optional(*si * factor) : std::nullopt;
 }
 
-/// Names of the fields that say which load case a row belongs to.
+/// Writes the names of the fields that identify the load case of a row.
 void load_header(CsvWriter& csv);
 void load_fields(CsvWriter& csv, const LoadCase& load);
 

@@ -5,7 +5,7 @@
 namespace prs {
 namespace {
 
-/// Malformed UTF-8 is replaced.
+/// Text of JSON with malformed UTF-8 replaced.
 std::string dumped(const Json& document) {
   return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace));
 }
@@ -32,7 +32,7 @@ std::string json_text(const Json& document) { return dumped(document) + '\n'; }
 void write_with_list(const Json& outline, std::string_view key,
                      const std::function<std::optional<Json>(std::size_t)>& item, const TextSink& sink) {
   const std::string text = json_text(outline);
-  // JSON escapes line ends in texts, so this line can only be the key of the document.
+  // JSON escapes line ends in texts, so that this line can only be the key of the document.
   const std::string empty = "\n  \"" + std::string(key) + "\": []";
   const std::size_t list = text.find(empty);
   std::optional<Json> next = list == text.npos ? std::nullopt : item(0);

@@ -11,40 +11,40 @@
 
 namespace prs {
 
-/// What every document says of its origin.
+/// Origin, as every document states it.
 struct DocumentInfo {
   std::string version;                      ///< Version of the program.
   std::string schema_version;               ///< Version of the input's schema.
   std::string input_sha256;                 ///< Hash of file, overrides and history, `input::input_sha256`.
-  std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
-  std::string command = {};                 ///< The command that was run.
-  std::string case_file = {};               ///< As it was given.
-  /// The case with overrides and defaults in place; asked for once per document.
+  std::vector<std::string> overrides = {};  ///< Overrides, `path=value` each.
+  std::string command = {};                 ///< Command that was run.
+  std::string case_file = {};               ///< Path of the case as given.
+  /// The case with overrides and defaults in place; called once per document.
   std::function<Json()> resolved_input = {};
 };
 
-/// How every document begins: its origin and the warnings on the whole input.
+/// Beginning of every document: its origin and the warnings on the whole input.
 Json document_head(const DocumentInfo& info, const std::vector<Warning>& warnings);
 
 /// Text of a document, two spaces deep, with a newline at the end. Malformed UTF-8 becomes U+FFFD.
 std::string json_text(const Json& document);
 
-/// Takes the pieces of a text.
+/// Receives the pieces of a text.
 using TextSink = std::function<void(std::string_view)>;
 
-/// What `json_text` gives of a document whose list under `key` is empty in `outline` and filled by
-/// `item`, one after the other: memory for one of them is enough.
+/// Writes the text that `json_text` gives for a document whose list under `key` is empty in `outline` and filled by
+/// `item`, one after the other, so that only one item is in memory.
 void write_with_list(const Json& outline, std::string_view key,
                      const std::function<std::optional<Json>(std::size_t)>& item, const TextSink& sink);
 
 struct OutputFile {
-  std::string name;  ///< Inside the output directory.
+  std::string name;  ///< Path inside the output directory.
   std::string content;
 };
 
-/// Rows of a record that stand open, under a heading where one is needed.
+/// Rows of a record that are shown unfolded, with a heading if needed.
 struct OpenRows {
-  std::string record;  ///< Its place in the document or in a load case: `life.system`.
+  std::string record;  ///< Path of the record in the document or in a load case: `life.system`.
   std::vector<std::string> rows;
   std::string heading = {};
 };
@@ -56,24 +56,23 @@ struct PageTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// How the page shows a result: what a reader asks for first, and what folds. Without open rows all
-/// numbers stand open.
+/// Layout of a result on the page: rows that are shown first, and parts that are folded. Without open rows all numbers
+/// are shown.
 struct PageSection {
   std::vector<OpenRows> in_cases = {}, in_document = {};
-  std::vector<std::string> folded = {};     ///< Pictures.
-  std::vector<std::string> estimates = {};  ///< Keys that are left out: each quantity has one headline.
-  std::string note = {};                    ///< Above all.
-  std::vector<PageTable> tables = {};       ///< Open, behind the pictures.
+  std::vector<std::string> folded = {};     ///< Pictures that are folded.
+  std::vector<std::string> estimates = {};  ///< Keys to omit: each quantity has one headline.
+  std::string note = {};                    ///< Text at the top.
+  std::vector<PageTable> tables = {};       ///< Tables after the pictures, unfolded.
 };
 
-/// The title of an analysis on the page, and where it stands among the others; none where another
-/// section shows it.
+/// Title of an analysis on the page, and its order among the others; no title if another section shows it.
 struct PagePlace {
   std::string_view title = {};
   int order = 100;
 };
 
-/// Warnings on single values; what they bring about has no warning of its own.
+/// Puts warnings on single values first; effects of unusual values are not reported twice.
 void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings);
 
 std::vector<std::string> as_notes(const std::vector<Warning>& warnings);
@@ -83,34 +82,33 @@ struct Headline {
   std::string title;
   std::string key;  ///< Key of the quantity, with its unit: `power_loss_W`.
   double value = 0.0;
-  std::string where = {};  ///< The load case.
+  std::string where = {};  ///< Name of the load case.
 };
 
-/// What a command found, in every form in which it leaves the program. Each form is made when it is
-/// asked for.
+/// Result of a command, in every form of output. Each form is computed on demand.
 struct Delivery {
   std::string file;  ///< Name of the document in the output folder: `slip.json`.
   std::function<Json(const DocumentInfo&)> document = {};
-  std::function<std::string()> table = {};                             ///< On a terminal.
-  std::vector<std::string> notes = {};                                 ///< To whom the document is printed.
-  std::function<std::vector<Warning>()> warnings = {};                 ///< Those of load cases name them.
-  std::function<std::vector<OutputFile>(const CsvStyle&)> files = {};  ///< Beside the document.
-  std::function<Pictures()> pictures = {};                             ///< They may refer to what the other forms hold.
-  bool keeps_figures = false;                    ///< As data in a file too, for reports that are made later.
-  std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
+  std::function<std::string()> table = {};              ///< Text for a terminal.
+  std::vector<std::string> notes = {};                  ///< Lines for readers of the printed document.
+  std::function<std::vector<Warning>()> warnings = {};  ///< Warnings; those of load cases name their load case.
+  std::function<std::vector<OutputFile>(const CsvStyle&)> files = {};  ///< Files besides the document.
+  std::function<Pictures()> pictures = {};  ///< Pictures, which may refer to data of the other forms.
+  bool keeps_figures = false;  ///< Whether figures are also saved as data, for reports that are made later.
+  std::vector<std::string> without_figure = {};  ///< Reasons why figures are missing, one per line.
   bool converged = true;
-  bool within_tolerance = true;                  ///< Whether the result meets what it is held against.
+  bool within_tolerance = true;                  ///< Whether the result meets its tolerance.
   std::string wrong_input = {};                  ///< Error of the input that is reported besides; empty: none.
   std::function<std::string()> full_table = {};  ///< Table printed with `--all`, if there is more.
-  /// The document without the lists that `write` fills; empty: `document`.
+  /// The document without the lists that `write` fills; empty: use `document`.
   std::function<Json(const DocumentInfo&)> outline = {};
-  /// The document as text, piece by piece, from its outline; empty: `json_text`.
+  /// Writes the document as text, piece by piece, from its outline; empty: use `json_text`.
   std::function<void(const Json&, const TextSink&)> write = {};
   std::function<std::vector<Headline>()> headlines = {};
   std::function<std::vector<FoundCriterion>(const JudgedCase&)> criteria = {};
-  std::function<PageSection()> section = {};  ///< On the page.
+  std::function<PageSection()> section = {};  ///< Layout on the page.
 
-  /// The result itself; null where it is of another type.
+  /// The result itself; null if it is of another type.
   template <class R>
   const R* result() const {
     return result_type && *result_type == typeid(R) ? static_cast<const R*>(held.get()) : nullptr;

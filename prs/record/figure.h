@@ -9,12 +9,12 @@
 
 namespace prs {
 
-// A picture as data: what it shows, not how it is drawn. Renderers draw it, each in its own style:
-// prs/svg for files and pages, python/rollerscrew/plots by matplotlib.
+// A picture as data: its content, independent of how it is drawn. Renderers draw it, each in its own style: prs/svg for
+// files and pages, python/rollerscrew/plots by matplotlib.
 
 using Polyline = std::vector<std::array<double, 2>>;
 
-/// A colour of the palette, which any colour vision tells apart (Okabe and Ito), or a role.
+/// A colour of the palette, distinguishable with any colour vision (Okabe and Ito), or a role.
 enum class Colour : int {
   blue,
   vermillion,
@@ -24,36 +24,36 @@ enum class Colour : int {
   sky,
   ink,  ///< Black on paper.
   grey,
-  reference,  ///< For what stands behind the others: a mean, zero, an axis.
-  muted,      ///< For many points behind others.
-  bad,        ///< For designs that break a limit.
+  reference,  ///< Lines in the background: a mean, zero, an axis.
+  muted,      ///< Many points behind others.
+  bad,        ///< Designs that violate a limit.
 };
 
 constexpr std::size_t kPaletteSize = 8;
 
-/// The k-th line's colour.
+/// Colour of the k-th line.
 constexpr Colour palette(std::size_t k) { return static_cast<Colour>(k % kPaletteSize); }
 
 enum class Dash { none, solid, dashed, dotted, dash_dotted };
 enum class Mark { none, circle, square, triangle, diamond, down, plus, cross, star };
 enum class Weight { thin, normal, strong };
 
-/// What the parts of a series are.
+/// Shape of the parts of a series.
 enum class Shape {
   line,    ///< Lines through their points, points marked; `Dash::none`: points alone.
   area,    ///< Polygons.
   arrows,  ///< Two points each, from tail to head.
 };
 
-/// How a series looks, as far as that tells it from the others.
+/// Style that distinguishes a series from the others.
 struct Style {
   Colour colour = Colour::ink;
   Dash dash = Dash::solid;
   Mark mark = Mark::none;
   Weight weight = Weight::normal;
   Shape shape = Shape::line;
-  bool open = false;  ///< Marks are outlined, not filled.
-  bool pale = false;  ///< Areas in a light shade of the colour.
+  bool open = false;  ///< Whether marks are outlined, not filled.
+  bool pale = false;  ///< Whether areas have a light shade of the colour.
 };
 
 constexpr Style line_of(Colour colour, Dash dash = Dash::solid, Weight weight = Weight::normal) {
@@ -68,10 +68,10 @@ constexpr Style arrows_of(Colour colour) { return {colour, Dash::solid, Mark::no
 struct Series {
   std::size_t style = 0;  ///< Index into the figure's styles.
   std::vector<Polyline> parts = {};
-  /// One per part, whose colour on the figure's scale it then has; empty: that of the style.
+  /// One value per part, which gives its colour on the figure's scale; empty: the style's colour.
   std::vector<double> values = {};
 
-  /// Appends a point to the last part, which ends where there is no value.
+  /// Appends a point to the last part; a missing value ends the part.
   void add(double x, const std::optional<double>& y);
 };
 
@@ -79,12 +79,12 @@ struct Series {
 struct ReferenceLine {
   std::size_t style = 0;
   double at = 0.0;
-  bool vertical = false;  ///< At this x, else at this y.
+  bool vertical = false;  ///< Whether the line is at this x, else at this y.
 };
 
 struct Tick {
   double at = 0.0;
-  std::string text = {};  ///< Empty: the number.
+  std::string text = {};  ///< Text of the tick; empty: the number.
 };
 
 constexpr double kFree = std::numeric_limits<double>::quiet_NaN();
@@ -92,19 +92,18 @@ constexpr double kFree = std::numeric_limits<double>::quiet_NaN();
 struct Axis {
   std::string label;
   std::string unit = {};
-  double from = kFree;  ///< Free: the renderer fits it to what the panel shows.
+  double from = kFree;  ///< Lower end; if free the renderer fits it to the data.
   double to = kFree;
-  bool logarithmic = false;      ///< All that is shown lies above 0.
-  bool whole = false;            ///< Ticks at whole numbers alone.
-  std::vector<Tick> ticks = {};  ///< Empty: the renderer chooses.
-  bool hidden = false;           ///< Neither ticks nor label.
+  bool logarithmic = false;      ///< Whether the scale is logarithmic; all data are above 0.
+  bool whole = false;            ///< Whether ticks are at whole numbers only.
+  std::vector<Tick> ticks = {};  ///< Ticks; empty: the renderer chooses.
+  bool hidden = false;           ///< Whether ticks and label are omitted.
 };
 
-/// `Lead (mm)`
+/// Label with unit: `Lead (mm)`.
 std::string text_of(const Axis& axis);
 
-/// Numbers at the nodes (x_i, y_j) of a grid, both ascending; those along y are consecutive. NaN
-/// where there is none.
+/// Numbers at the nodes (x_i, y_j) of a grid, both ascending; values along y are consecutive. NaN marks missing ones.
 struct GridData {
   std::vector<double> x = {};
   std::vector<double> y = {};
@@ -117,8 +116,8 @@ struct GridData {
 /// A grid in the colours of the figure, below the lines of a panel.
 struct Map {
   GridData grid = {};
-  /// Each node is a rectangle of one colour; else filled contours, with labelled lines at the
-  /// colour scale's levels.
+  /// Whether each node is a rectangle of one colour; else filled contours, with labelled lines at the colour scale's
+  /// levels.
   bool cells = false;
 };
 
@@ -137,15 +136,15 @@ struct Surface {
   std::vector<SurfacePoint> points = {};
 };
 
-/// Which colours values have.
+/// Colours of values.
 struct ColourScale {
   std::string label;
   std::string unit = {};
   double from = 0.0;
   double to = 1.0;
-  std::vector<double> levels = {};  ///< One colour between two of them; empty: continuous.
+  std::vector<double> levels = {};  ///< Levels between which the colour is constant; empty: continuous.
   bool logarithmic = false;
-  bool whole = false;  ///< The values are whole numbers.
+  bool whole = false;  ///< Whether the values are whole numbers.
 };
 
 /// A text inside a panel.
@@ -154,7 +153,7 @@ struct Label {
   std::string text;
   double x = 0.0;
   double y = 0.0;
-  bool in_panel = false;         ///< x, y are shares of the panel from its lower left, else coordinates.
+  bool in_panel = false;         ///< Whether x, y are fractions of the panel from its lower left, else coordinates.
   Anchor anchor = Anchor::left;  ///< Anchor of the text at x; its middle lies at y.
 };
 
@@ -163,10 +162,10 @@ struct Panel {
   std::vector<Series> series = {};
   std::vector<ReferenceLine> references = {};
   std::vector<Label> labels = {};
-  std::optional<Axis> x = std::nullopt;  ///< In place of the figure's.
+  std::optional<Axis> x = std::nullopt;  ///< Own axes, in place of the figure's.
   std::optional<Axis> y = std::nullopt;
   Map map = {};
-  std::optional<Surface> surface = std::nullopt;  ///< In place of everything else.
+  std::optional<Surface> surface = std::nullopt;  ///< Surface, in place of all else.
 };
 
 struct LegendEntry {
@@ -188,45 +187,45 @@ struct Figure {
   std::optional<ColourScale> colours = std::nullopt;
 
   double aspect = 0.0;    ///< Height of a panel over its width; 0: the renderer chooses.
-  double overview = 0.0;  ///< The first panel fills the first column, so many times as wide as the
-                          ///< others; 0: it is one like the others.
-  bool to_scale = false;  ///< A unit is as long on both axes: ranges are widened about their middle.
+  double overview = 0.0;  ///< Width of the first panel over that of the others, if it fills the first column; 0: a
+                          ///< panel like the others.
+  bool to_scale = false;  ///< Whether a unit is as long on both axes: ranges are widened about their middle.
 
   /// Appends a style; returns its index.
   std::size_t add(const Style& style);
-  /// The same, named in the legend.
+  /// Appends a style with a name in the legend; returns its index.
   std::size_t add(std::string title, const Style& style);
 };
 
-/// From the least to the largest of some values.
+/// Range from the smallest to the largest of some values.
 struct Range {
   double from = std::numeric_limits<double>::infinity();
   double to = -from;
 
-  void include(double value);  ///< Unless it is not finite.
+  void include(double value);  ///< Includes the value if it is finite.
   void include(const Range& other);
-  void widen(double share);  ///< At both ends, by a share of its length.
+  void widen(double share);  ///< Widens both ends, by a share of the length.
   bool empty() const { return from > to; }
 };
 Range range_of_y(const std::vector<Series>& series);
 
-/// The axis over a little more than a range, or from zero.
+/// The axis over slightly more than a range, or from zero.
 Axis fitted(Axis axis, Range range, bool from_zero = false);
 
-/// Puts y from zero, unless the values fill less than half of that, to a little above the largest.
-/// With `from_zero` always, where none is negative.
+/// Sets the y axis from zero, unless the values fill less than half of that, to slightly above the largest. With
+/// `from_zero`: always, if no value is negative.
 void fit_y_range(Figure& figure, bool from_zero = false);
 
 /// A figure of one of its panels.
 Figure only_panel(Figure figure, std::size_t panel);
 
-/// All lines in one panel, told apart by their dashes as the panels were, whose titles go into the
-/// legend. Panels with other axes than the first are left out; a map as the first stays alone.
+/// Figure with all lines in one panel: dashes distinguish the former panels, whose titles go into the legend. Panels
+/// with axes other than the first's are left out; a map as the first stays alone.
 Figure folded(const Figure& figure);
 
-/// Puts the lines of a picture in grey behind those of the same panels of another, and widens its
-/// axes to show them. The style of the grey lines, to be named in a legend; absent, and nothing
-/// changed, where the two are drawn to scale or have other panels.
+/// Adds the lines of another picture in grey behind those of the same panels, and widens the axes to show them. Returns
+/// the style of the grey lines, for the legend; absent, and nothing changed, if one of the two is drawn to scale or
+/// they have different panels.
 std::optional<std::size_t> add_behind(Figure& figure, const Figure& before);
 
 }  // namespace prs

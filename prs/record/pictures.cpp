@@ -60,7 +60,7 @@ namespace {
 
 using schema_parts::link, schema_parts::list, schema_parts::names, schema_parts::object, schema_parts::type;
 
-// What a description holds, once for writing, reading and the schema.
+// Contents of a description, listed once for writing, reading and the schema.
 
 constexpr std::array<std::string_view, 11> names_of(Colour) {
   return {"blue", "vermillion", "green", "purple", "orange", "sky", "ink", "grey", "reference", "muted", "bad"};
@@ -75,14 +75,14 @@ constexpr std::array<std::string_view, 3> names_of(Weight) { return {"thin", "no
 constexpr std::array<std::string_view, 3> names_of(Shape) { return {"line", "area", "arrows"}; }
 constexpr std::array<std::string_view, 3> names_of(Label::Anchor) { return {"left", "centre", "right"}; }
 
-/// A member and its key. It is absent where it has its default, unless it is required.
+/// A member and its key. It is omitted if it has its default, unless it is required.
 template <class Owner, class Value>
 struct Field {
   const char* key;
   Value Owner::*value;
   bool required = false;
   const char* description = nullptr;
-  Json (*form)() = nullptr;  ///< In the schema, in place of that of its type.
+  Json (*form)() = nullptr;  ///< Schema in place of that of its type.
 };
 template <class Owner, class Value>
 constexpr Field<Owner, Value> field(const char* key, Value Owner::*value, const char* description = nullptr,
@@ -239,7 +239,7 @@ Json json_of(const T& value) {
   }
 }
 
-/// Rounds every number, so that files of large maps stay short.
+/// Rounds every number, to keep files of large maps short.
 void shorten(Json& json) {
   if (json.is_structured()) {
     for (Json& entry : json) shorten(entry);
@@ -250,7 +250,7 @@ void shorten(Json& json) {
   }
 }
 
-// From JSON: what is absent keeps its default.
+// Reads JSON: absent keys keep their defaults.
 
 template <class T>
 void read(const Json& json, T& value) {
@@ -286,7 +286,7 @@ void read(const Json& json, T& value) {
 }
 
 Figure read_figure(const Json& json) {
-  constexpr std::size_t kMostColumns = 100;  // Of panels side by side.
+  constexpr std::size_t kMostColumns = 100;  // Largest number of panels side by side.
   Figure figure;
   read(json, figure);
   const auto is_style = [&](std::size_t k) { return k < figure.styles.size(); };
@@ -375,7 +375,7 @@ Figures figures_of(std::string_view text) {
     for (const Json& entry : json) figures.push_back(read_figure(entry));
     return figures;
   } catch (const std::exception&) {
-    return {};  // Changed by other hands, or of another version.
+    return {};  // The file was edited, or is of another version.
   }
 }
 
@@ -511,9 +511,9 @@ std::vector<std::array<double, 2>> points_of_style(const Panel& panel, std::size
   return points;
 }
 
-/// Whether the lines of two styles are one wherever either is shown, as far as an eye sees.
+/// Whether the lines of two styles coincide wherever both are shown, as far as is visible.
 bool are_alike(const Figure& figure, std::size_t a, std::size_t b) {
-  constexpr double kSeen = 0.004;  // Of the height of a panel.
+  constexpr double kSeen = 0.004;  // Visible difference, as a share of the height of a panel.
   bool shown = false;
   for (const Panel& panel : figure.panels) {
     const auto left = points_of_style(panel, a), right = points_of_style(panel, b);
@@ -529,7 +529,7 @@ bool are_alike(const Figure& figure, std::size_t a, std::size_t b) {
   return shown;
 }
 
-/// Whether some series have the style, and no point.
+/// Whether some series have the style, but no point.
 bool is_empty(const Figure& figure, std::size_t style) {
   bool used = false;
   for (const Panel& panel : figure.panels) {

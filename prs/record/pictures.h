@@ -12,20 +12,20 @@ namespace prs {
 
 using Figures = std::vector<Figure>;
 
-/// Which of several pictures of a kind, and what it shows.
+/// Choice among several pictures of a kind, and of its content.
 struct FigureOptions {
-  std::vector<std::size_t> load_cases = {};  ///< By their places; empty: all.
+  std::vector<std::size_t> load_cases = {};  ///< Load cases by index; empty: all.
   std::optional<std::size_t> load_case = {};
   std::optional<Interface> interface = {};
-  std::optional<std::string> response = {};  ///< A path; absent: one figure for each.
+  std::optional<std::string> response = {};  ///< Path of the response; absent: one figure for each.
   std::optional<std::string> x = {};         ///< Paths of factors.
   std::optional<std::string> y = {};
   std::optional<std::size_t> thread = {};  ///< Thread of all rollers, from 0; absent: the most loaded.
-  std::optional<std::size_t> panel = {};   ///< Only this one.
-  bool one_panel = false;                  ///< All in one panel, as far as that is possible.
+  std::optional<std::size_t> panel = {};   ///< Index of the only panel to show.
+  bool one_panel = false;                  ///< Whether to show all in one panel, as far as possible.
 };
 
-/// There is no such picture, or the result has no data for it.
+/// Error: there is no such picture, or the result has no data for it.
 class NoFigure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -34,16 +34,16 @@ class NoFigure : public std::runtime_error {
 /// A picture of a result.
 struct Picture {
   std::string_view name;
-  std::string_view needs;  ///< What the result must have.
+  std::string_view needs;  ///< Data that the result must have, in words.
   std::function<Figures(const FigureOptions&)> make;
-  /// When a command writes it.
+  /// When a command writes the picture.
   enum class Drawn { always, with_all, by_name } drawn = Drawn::always;
 };
 using Pictures = std::vector<Picture>;
 
 Figures in_kilonewtons(Figures figures);
 
-/// A picture that a function makes of the result, which must outlive it.
+/// A picture that a function makes from the result, which must outlive it.
 template <class R>
 auto of_result(const R& result, Figures (*make)(const R&, const FigureOptions&)) {
   return [&result, make](const FigureOptions& options) { return in_kilonewtons(make(result, options)); };
@@ -53,51 +53,49 @@ auto of_result(const R& result, Figures (*make)(const R&)) {
   return [&result, make](const FigureOptions&) { return in_kilonewtons(make(result)); };
 }
 
-/// Those of another analysis, asked for by their names alone.
+/// Own pictures, and those of another analysis, which are drawn by name only.
 Pictures with(Pictures own, Pictures others);
 
 constexpr Picture::Drawn drawn_if(bool suitable) { return suitable ? Picture::Drawn::always : Picture::Drawn::by_name; }
 
-/// Whether a figure shows any number.
+/// Whether a figure shows any data.
 bool has_data(const Figure& figure);
 
-/// All that the result has data for, as a command writes them; with `all` (`--all`), also those
-/// that few readers want.
+/// All figures that the result has data for, as a command writes them; with `all` (`--all`), also the less common ones.
 Figures figures(const Pictures& pictures, bool all = false);
 
-/// One of them, the first where the options leave several, in one panel if they ask for it. Throws
-/// NoFigure.
+/// One figure, the first if the options leave several, in one panel if they ask for it. Throws NoFigure.
 Figure figure(const Pictures& pictures, std::string_view name, const FigureOptions& options);
 
-/// A description as documents have it under `figures`; what has its default is absent.
+/// Description of a figure for documents under `figures`; members with their defaults are omitted.
 Json to_json(const Figure& figure);
 
-/// What documents have under `figures`.
+/// Descriptions of figures for documents under `figures`.
 Json to_json(const Figures& figures);
 
-/// Descriptions in a file, of which `figures_of` makes the figures again; none where the text is no
-/// such file. Numbers have seven digits.
+/// Ending of files of descriptions, from which `figures_of` makes the figures again; none for other texts. Numbers have
+/// seven digits.
 inline constexpr std::string_view kFiguresEnding = "_figures.json";
 std::string figures_text(const Figures& figures);
 Figures figures_of(std::string_view text);
 
-/// Options as a JSON object with the names of their members. Throws NoFigure.
+/// Options from a JSON object with the names of their members. Throws NoFigure.
 FigureOptions figure_options(const std::string& text);
 
 /// JSON Schema of a description.
 Json figure_schema();
 
-/// Lines that can be told apart.
+/// Largest number of lines that can be distinguished.
 inline constexpr std::size_t kMostLines = kPaletteSize;
 
-/// Points that a curve over loads needs.
+/// Fewest points of a curve over loads.
 inline constexpr std::size_t kMinSweepPoints = 3;
 
-/// The k-th of several lines with marks.
+/// Style of the k-th of several lines with marks.
 Style marked_line(std::size_t k);
 
-/// The k-th of several load cases or models, in other colours than those of the parts as far as
-/// there are any; grey is what stands behind, or belongs to all of them.
+/// Colour of the k-th of several load cases or models, different from those of the parts as far as possible; grey is
+/// for the background and for what belongs to all.
 constexpr Colour case_colour(std::size_t k) {
   constexpr Colour kOrder[] = {Colour::ink,   Colour::orange, Colour::purple,    Colour::sky,
                                Colour::green, Colour::blue,   Colour::vermillion};
@@ -119,7 +117,7 @@ constexpr std::string_view title(Part part) {
 /// `Roller-screw` or `Roller-nut`.
 std::string interface_title(Interface i);
 
-/// What users named, in one line that is not too long.
+/// Name given by a user, in one line of limited length.
 std::string shown_name(std::string_view name);
 
 /// Label of loads in both senses.
@@ -127,7 +125,7 @@ inline constexpr std::string_view kSignedForce = "Axial force, tension >\u00a00"
 
 Axis thread_axis(std::size_t threads);
 
-/// (1, value), (2, value), .. in shown units.
+/// Points (1, value), (2, value), .. in shown units.
 Polyline over_threads(const std::vector<double>& values, double factor);
 
 Polyline rectangle(double left, double right, double bottom, double top);
@@ -135,16 +133,15 @@ Polyline rectangle(double left, double right, double bottom, double top);
 /// A closed line, with the major semi-axis at an angle from x.
 Polyline ellipse(double x, double y, double semi_major, double semi_minor, double angle);
 
-/// A number with a typographic minus, as the axes have it.
+/// A number with a typographic minus, as on the axes.
 std::string number(double value, int decimals);
 
 /// Names along y, from above, for bars at 1, 2, ..
 Axis ranked_axis(const std::vector<std::string>& names);
-/// Position of the k-th, from 0.
+/// y of the k-th name, from 0.
 double rank_position(std::size_t k, std::size_t count);
 
-/// Axes and colours in one unit instead of another, of which it is `factor`, where their numbers
-/// reach `least`.
+/// Change of axes and colours to a unit that is `factor` times the old one, if their numbers reach `least`.
 struct UnitChange {
   std::string from;
   std::string to;
@@ -153,26 +150,25 @@ struct UnitChange {
 };
 Figure in_unit(Figure figure, const UnitChange& change);
 
-/// Forces of 10 kN and more in kN where the figure has them in N.
+/// Figure with forces of 10 kN and more in kN instead of N.
 Figure in_kilonewtons(Figure figure);
 
-/// As tables of the page have them: kN from 1000 N on, and GPa.
+/// Figure in the units of the page's tables: kN from 1000 N on, and GPa.
 Figure in_page_units(Figure figure);
 
-/// A dashed line where all threads would share the load equally, at `mean`, in every panel.
+/// Adds to every panel a dashed line at `mean`, the load of each thread if all had the same.
 void add_mean(Figure& figure, double mean);
 
-/// The least of 1, 2 or 5 times a power of ten that is not below `least` > 0.
+/// Smallest value not below `least` > 0 of the form 1, 2 or 5 times a power of ten.
 double round_step(double least);
 
-/// Round numbers around all values, at most so many steps; empty where there is none.
+/// Round numbers around all values, in at most this many steps; empty if there are no values.
 std::vector<double> round_levels(const Range& range, std::size_t most_steps);
 
-/// Says in the legend of each line that lies under another where that is; without entries of which
-/// nothing is shown.
+/// Figure whose legend says where a line lies under another, and has no entries for lines that are not shown.
 Figure with_true_legend(Figure figure);
 
-/// Drops what is beyond the first `count` and says so in the title.
+/// Drops items after the first `count` and says so in the title.
 template <class Item>
 void keep_first(std::vector<Item>& items, std::size_t count, std::string& title) {
   if (items.size() <= count) return;

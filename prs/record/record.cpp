@@ -47,8 +47,7 @@ struct Extreme {
   bool all_finite = false;
 };
 
-/// The largest of f(x), four maxima side by side, and whether all are finite: what is not leaves a
-/// sum of zeros that is not 0.
+/// Largest f(x), computed as four maxima side by side, and whether all are finite: 0 times any other value is not 0.
 template <class F>
 Extreme extreme_of(std::span<const double> v, F f) {
   double of[4] = {f(v[0]), f(v[0]), f(v[0]), f(v[0])};
@@ -70,7 +69,7 @@ Extreme extreme_of(std::span<const double> v, F f) {
 }  // namespace
 
 std::optional<double> SeriesReader::operator()(std::span<const double> v) const {
-  // A document has null in place of a number that is not finite, and no summary of such a list.
+  // Documents have null for a number that is not finite, and no summary of a list with one.
   const auto shown = [&](double value, bool finite) { return finite ? std::optional(value * factor) : std::nullopt; };
   if (word == Word::one) return index < v.size() ? shown(v[index], std::isfinite(v[index])) : std::nullopt;
   if (v.empty()) return std::nullopt;

@@ -14,15 +14,14 @@
 #include "prs/json_type.h"
 #include "prs/model/units.h"
 
-/// The table of results. A result type has one list of quantities, `record_of<Type>()`; documents,
-/// CSV, tables, responses of studies, titles, Python's records and docs/reference are read off it.
+/// The table of results. A result type has one list of quantities, `record_of<Type>()`, from which documents, CSV,
+/// tables, responses of studies, titles, Python's records and docs/reference are made.
 
 namespace prs {
 
 using Json = nlohmann::ordered_json;
 
-/// The unit at the end of a key, `MPa` of `peak_pressure_MPa`; kNoUnit where there is none, as in
-/// `share_of_revolutions`.
+/// The unit at the end of a key, `MPa` of `peak_pressure_MPa`; kNoUnit if there is none, as in `share_of_revolutions`.
 constexpr const ShownUnit& unit_of(std::string_view key) {
   for (const ShownUnit& unit : kShownUnits)
     if (key.ends_with(unit.suffix))
@@ -30,14 +29,14 @@ constexpr const ShownUnit& unit_of(std::string_view key) {
   return kNoUnit;
 }
 
-/// Whether a number is a ratio, also among numbers with a unit: `energy_J.residual_relative`.
+/// Whether a number is a ratio, even if other numbers of its record have a unit: `energy_J.residual_relative`.
 constexpr bool is_ratio(std::string_view key) { return key.ends_with("_relative"); }
 
 /// The unit of the number at a path, that of the last key with one: `MPa` of
 /// `screw.peak_pressure_MPa.max`. A ratio has none.
 const ShownUnit& unit_at(std::string_view path);
 
-/// What stands under a key of a document.
+/// Kind of value under a key of a document.
 enum class Kind {
   number,
   series,  ///< An array of numbers.
@@ -47,17 +46,17 @@ enum class Kind {
   text,
   texts,
   record,   ///< An object with quantities of its own.
-  records,  ///< An array of them.
+  records,  ///< An array of such objects.
 };
 
-/// What a schema says of a quantity besides its kind.
+/// Details of a quantity in a schema besides its kind.
 struct Form {
-  bool required = false;  ///< In every document.
-  bool finite = false;    ///< A series without gaps.
-  bool whole = false;     ///< A series of integers.
-  bool in_rows = false;   ///< A series that stands in rows where there are several rollers.
-  bool by_key = false;    ///< An object with any keys; the kind is that of its values.
-  bool optional = false;  ///< Not defined by every case.
+  bool required = false;  ///< Whether every document has it.
+  bool finite = false;    ///< Whether a series has no gaps.
+  bool whole = false;     ///< Whether a series has integers.
+  bool in_rows = false;   ///< Whether a series is split into rows if there are several rollers.
+  bool by_key = false;    ///< Whether it is an object with any keys; the kind is that of its values.
+  bool optional = false;  ///< Whether only some cases define it.
 };
 
 /// The values of an object with any keys, in their order.
@@ -66,27 +65,27 @@ using ByKey = std::vector<std::pair<std::string, T>>;
 
 /// Results in which a quantity is available as a response.
 enum class Reach {
-  numbers,   ///< Part of every result, also with Detail::numbers.
-  complete,  ///< Only with Detail::complete.
-  document,  ///< About the solution, not the design: only in a run's document.
+  numbers,   ///< Every result, also with Detail::numbers.
+  complete,  ///< Results with Detail::complete only.
+  document,  ///< The document of a run only: about the solution, not the design.
 };
 
 template <class Owner>
 struct Quantity;
 struct RecordInfo;
 
-/// The list of a result type: `Record<T> record_of(Type<T>)` stands once for each, see PRS_RECORD.
+/// Record of a result type: `Record<T> record_of(Type<T>)` is defined once for each, see PRS_RECORD.
 template <class Owner>
 struct Record {
-  std::string_view name;     ///< In Python and in the reference.
-  std::string_view meaning;  ///< A sentence, with the source where there is one.
+  std::string_view name;     ///< Name in Python and in the reference.
+  std::string_view meaning;  ///< A sentence, with the source if there is one.
   std::span<const Quantity<Owner>> quantities;
 };
 
 template <class Owner>
 struct Type {};
 
-/// Defines it: PRS_RECORD(T, name, meaning, quantities);
+/// Defines a record: PRS_RECORD(T, name, meaning, quantities);
 #define PRS_RECORD(T, ...)                                        \
   Record<T> record_of(Type<T>) { return Record<T>{__VA_ARGS__}; } \
   static_assert(true)
@@ -103,19 +102,18 @@ struct Reader {
   Reach delivery = Reach::numbers;
 };
 
-/// How a quantity is got from its owner: made by `of`, see record_table.h.
+/// Access to a quantity of its owner: made by `of`, see record_table.h.
 template <class Owner>
 struct Getter {
   Kind kind = Kind::number;
-  /// SI; absent where the case does not define it.
+  /// SI value; absent if the case does not define it.
   std::optional<double> (*number)(const Owner&) = nullptr;
-  /// One number per thread, SI; empty where the case does not define them.
+  /// One number per thread, SI; empty if the case does not define them.
   std::span<const double> (*series)(const Owner&) = nullptr;
-  /// All that is neither; null where the case does not define it.
+  /// Any other value; null if the case does not define it.
   Json (*json)(const Owner&, const ShownUnit&) = nullptr;
-  const RecordInfo& (*record)() = nullptr;  ///< For kinds record and records.
-  /// Reader of what `json` gives: the number behind the key, `.max`, `[2].thread`, ..; none where there
-  /// cannot be one.
+  const RecordInfo& (*record)() = nullptr;  ///< Record of kinds record and records.
+  /// Reader of a number in the result of `json`, behind the key, `.max`, `[2].thread`, ..; none if there cannot be one.
   std::optional<Reader<Owner>> (*reader)(std::string_view path, const ShownUnit&) = nullptr;
   Form form = {};
 };
@@ -123,17 +121,17 @@ struct Getter {
 /// One row of the table.
 template <class Owner>
 struct Quantity {
-  /// Key with its unit: `peak_pressure_MPa`. The quantities of a record without key stand among those
-  /// of its owner.
+  /// Key with its unit: `peak_pressure_MPa`. The quantities of a record without key are listed among those of its
+  /// owner.
   std::string_view key;
   Getter<Owner> value;
-  std::string_view meaning = {};   ///< A sentence or a formula; `a | b`: all words of a text.
+  std::string_view meaning = {};   ///< A sentence or a formula; `a | b`: all possible words of a text.
   std::string_view source = {};    ///< Paper and equation, or a standard.
-  std::string_view title = {};     ///< In tables; by default the words of the key.
+  std::string_view title = {};     ///< Title in tables; default: the words of the key.
   std::string_view group = {};     ///< Heading above neighbouring quantities.
-  std::string_view validity = {};  ///< What a reader must know to trust it.
+  std::string_view validity = {};  ///< Limits of validity that a reader must know.
   Reach delivery = Reach::numbers;
-  const ShownUnit& unit = unit_of(key);  ///< kNoUnit: that of the record it stands in, if any.
+  const ShownUnit& unit = unit_of(key);  ///< kNoUnit: that of the enclosing record, if any.
 
   const ShownUnit& shown_in(const ShownUnit& inherited) const {
     return unit.suffix.empty() && !is_ratio(key) ? inherited : unit;
@@ -162,19 +160,19 @@ struct RecordInfo {
   std::vector<QuantityInfo> quantities;
 };
 
-/// `Peak pressure` of `peak_pressure_MPa`, in small letters.
+/// Lower-case words of a key, without unit: `peak pressure` of `peak_pressure_MPa`.
 std::string words_of(std::string_view key);
 
-/// Takes `[k]` from the head of a path.
+/// Removes `[k]` from the head of a path and returns k.
 std::optional<std::size_t> take_index(std::string_view& path);
 
-/// What `[k]`, `.max`, `.min` or `.mean` behind the key of a series makes of its values, in the
-/// unit that is shown; false: other words.
+/// Operation that `[k]`, `.max`, `.min` or `.mean` after the key of a series does on its values, in the shown unit;
+/// false for other words.
 struct SeriesReader {
   enum class Word { none, one, largest, smallest, mean };
 
   Word word = Word::none;
-  double factor = 1.0;    ///< To the unit.
+  double factor = 1.0;    ///< Factor to the shown unit.
   std::size_t index = 0;  ///< Index of `one`.
 
   explicit operator bool() const { return word != Word::none; }
@@ -182,14 +180,14 @@ struct SeriesReader {
 };
 SeriesReader summary_named(std::string_view word, double factor);
 
-/// `[j][k]` as j and `[k]`; any other words as they are.
+/// Splits `[j][k]` into j and `[k]`; other words stay as they are.
 struct RowOfWord {
   std::optional<std::size_t> row;
   std::string_view place;
 };
 RowOfWord split_row(std::string_view word);
 
-/// The row with this key, which must be there.
+/// The quantity with this key, which must exist.
 template <class Owner>
 const Quantity<Owner>& quantity(std::string_view key) {
   for (const Quantity<Owner>& q : record_of<Owner>().quantities)
@@ -202,7 +200,7 @@ std::string title_of(const Quantity<Owner>& q) {
   return q.title.empty() ? words_of(q.key) : std::string(q.title);
 }
 
-/// As documents show it.
+/// The number as documents show it.
 template <class Owner>
 std::optional<double> shown_number(const Quantity<Owner>& q, const Owner& owner, const ShownUnit& inherited = kNoUnit) {
   const std::optional<double> si = q.value.number(owner);

@@ -14,12 +14,12 @@ inline constexpr std::string_view kHertz = "Hertz with exact ellipticity";
 inline constexpr std::string_view kLife = "Jung 2017, (8.25); ISO 281";
 }  // namespace source
 
-/// Adds quantities of an object to a document: what is absent or not finite is left out.
+/// Adds quantities of an object to a document, without absent and non-finite values.
 template <class Owner>
 void put_quantities(Json& document, std::span<const Quantity<Owner>> quantities, const Owner& owner,
                     const ShownUnit& inherited = kNoUnit);
 
-/// All of them.
+/// Adds all quantities.
 template <class Owner>
 void put_object(Json& document, const Owner& owner) {
   put_quantities(document, record_of<Owner>().quantities, owner);
@@ -29,7 +29,7 @@ void put_object(Json& document, const Owner& owner) {
 template <class Owner>
 Json object_of(const Owner& owner, const ShownUnit& inherited = kNoUnit);
 
-/// The number at a path of this document: `slip.screw.power_W.max`.
+/// The number at a path of the object's document: `slip.screw.power_W.max`.
 template <class Owner>
 std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& inherited = kNoUnit);
 
@@ -66,7 +66,7 @@ concept Numbers = requires(const T& values) {
 }
 &&!Text<T>;
 
-/// Null where there is none.
+/// Pointer to the value; null if there is none.
 template <class T>
 const auto* pointer_to(const T& value) {
   if constexpr (is_optional<T>)
@@ -77,14 +77,14 @@ const auto* pointer_to(const T& value) {
     return &value;
 }
 
-/// An empty object that holds so many entries without growing, which would copy them.
+/// An empty object with capacity for this many entries; growing would copy them.
 Json object_for(std::size_t entries);
 
 Json array_of(std::span<const double> si, const ShownUnit& unit);
-/// In rows of that length; 0: in one.
+/// Array of rows of the given length; 0: one row.
 Json arrays_of(std::span<const double> si, std::size_t row, const ShownUnit& unit);
 
-/// What an optional or a pointer holds.
+/// Type held by an optional or a pointer.
 template <class T>
 using Held = std::remove_cvref_t<decltype(*pointer_to(std::declval<const T&>()))>;
 
@@ -93,7 +93,7 @@ concept HasRows = requires(const Owner& owner) {
   owner.threads_per_roller;
 };
 
-/// Length of the rows in which the owner's series stand; 0: in one.
+/// Length of the rows into which the owner's series are split; 0: one row.
 template <class Owner>
 std::size_t row_length(const Owner& owner) {
   if constexpr (HasRows<Owner>)
@@ -151,7 +151,7 @@ constexpr Kind kind_of() {
     return Kind::record;
 }
 
-/// Reads a series that a word follows, see `summary_named`.
+/// Reads a series with the word after it, see `summary_named`.
 template <class T>
 std::optional<Reader<T>> series_reader(std::string_view word, double factor) {
   const SeriesReader read = summary_named(word, factor);
@@ -173,7 +173,7 @@ std::optional<Reader<T>> matrix_reader(std::string_view path, double factor) {
   }};
 }
 
-/// The number at what follows the key of an item: `.screw.max`, `[2].thread`, or nothing.
+/// The number at the path after the key of an item: `.screw.max`, `[2].thread`, or empty.
 template <class T>
 std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& unit) {
   if constexpr (is_by_key<T> || std::is_same_v<T, bool> || Text<T> || std::is_same_v<T, std::vector<std::string>>) {
@@ -205,7 +205,7 @@ std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& uni
   }
 }
 
-/// What `get` gives of an owner of which `guard` is true.
+/// Result of `get` for an owner, if `guard` is true of it.
 template <auto get, auto guard, bool always, class Owner>
 struct Access {
   using Given = std::invoke_result_t<decltype(get), const Owner&>;
@@ -221,7 +221,7 @@ struct Access {
       return std::invoke(guard, owner);
   }
 
-  /// What `use` makes of the item; `otherwise` where there is none.
+  /// Result of `use` for the item; `otherwise` if there is none.
   template <class T>
   static T used(const Owner& owner, T otherwise, const auto& use) {
     if (!defined(owner)) return otherwise;
@@ -252,7 +252,7 @@ struct Access {
 
   static constexpr Getter<Owner> getter() {
     constexpr Kind kind = kind_of<Item>();
-    // An array that lives on is read in place.
+    // An array that outlives the call is read in place.
     constexpr bool in_place = std::is_same_v<Item, std::vector<double>> && std::is_reference_v<Given>;
     Getter<Owner> getter{kind};
     getter.form = {.required = always && !kGuarded,
@@ -329,25 +329,25 @@ struct OfTable {
 
 }  // namespace detail
 
-/// `of<&InterfaceLoads::axial_load>`, or of a function of the owner; what `guard` is false of has
-/// none. The type says what it is: a number in SI, a vector with one number per thread, a text, an
-/// enum that has a `name`, a result type with a list of its own, std::optional of these, ..
+/// Getter `of<&InterfaceLoads::axial_load>`, or of a function of the owner; not defined where `guard` is false. The
+/// type decides the kind: a number in SI, a vector with one number per thread, a text, an enum that has a `name`, a
+/// result type with a list of its own, std::optional of these, ..
 template <auto get, auto guard = nullptr>
 inline constexpr detail::Of<get, guard> of;
 
-/// As `of`, for what every document has; with a guard: a series of which no number is missing.
+/// Like `of`, for quantities of every document; with a guard: a series without missing numbers.
 template <auto get, auto guard = nullptr>
 inline constexpr detail::Of<get, guard, true> always;
 
 template <auto get>
 inline constexpr auto is_filled = [](const auto& owner) { return !std::invoke(get, owner).empty(); };
 
-/// As `of`; nothing where it is empty.
+/// Like `of`; absent if it is empty.
 template <auto get>
 inline constexpr auto filled = of<get, is_filled<get>>;
 
-/// What stands in one place alone, with a list of quantities without a type of its own: an object,
-/// a vector or values by key of what the list is of; by default of the owner itself.
+/// Getter of a record that occurs in one place only and has a list of quantities but no type of its own: an object, a
+/// vector or values by key of the list's owner; by default of the owner itself.
 template <const auto& quantities, auto get = std::identity{}, auto guard = nullptr>
 inline constexpr detail::OfTable<quantities, get, guard, false> of_table;
 template <const auto& quantities, auto get = std::identity{}>
@@ -355,7 +355,7 @@ inline constexpr detail::OfTable<quantities, get, nullptr, true> always_table;
 template <const auto& quantities, auto get>
 inline constexpr auto filled_table = of_table<quantities, get, is_filled<get>>;
 
-/// What a function or a member gives of each item.
+/// Results of a function or a member for each item.
 template <class F>
 auto each(const auto& items, F f) {
   std::vector<std::decay_t<std::invoke_result_t<F, decltype(*std::begin(items))>>> all;
@@ -363,7 +363,7 @@ auto each(const auto& items, F f) {
   return all;
 }
 
-/// A part of a result with the whole that has its names.
+/// A part of a result together with the whole, which has its names.
 template <class Whole, class T>
 struct Within {
   const Whole* whole = nullptr;
@@ -374,11 +374,11 @@ std::vector<Within<Whole, T>> within(const Whole& whole, const std::vector<T>& i
   return each(items, [&](const T& item) { return Within<Whole, T>{&whole, &item}; });
 }
 
-/// What to get of the part: `of<its<&FactorEffect::coefficient>>`.
+/// Getter for the part: `of<its<&FactorEffect::coefficient>>`.
 template <auto get>
 inline constexpr auto its = [](const auto& part) -> decltype(auto) { return std::invoke(get, *part.item); };
 
-/// Values under keys, one for each.
+/// Pairs of keys and values.
 template <class T>
 ByKey<T> by_key(const std::vector<std::string>& keys, const std::vector<T>& values) {
   ByKey<T> all;
@@ -475,13 +475,13 @@ const RecordInfo& describe() {
   return info;
 }
 
-/// Whether it has a column: numbers, counts, flags and texts do.
+/// Whether a quantity has a column: numbers, counts, flags and texts do.
 template <class Owner>
 bool is_scalar(const Quantity<Owner>& q) {
   return q.value.number || q.value.kind == Kind::count || q.value.kind == Kind::flag || q.value.kind == Kind::text;
 }
 
-/// Those from a key on.
+/// Quantities from a key on.
 template <class Owner>
 std::span<const Quantity<Owner>> rows_from(std::string_view key) {
   const auto all = record_of<Owner>().quantities;
@@ -495,7 +495,7 @@ void scalar_header(CsvWriter& csv, std::string_view prefix = {}, std::string_vie
     if (is_scalar(q)) csv.text(std::string(prefix).append(q.key));
 }
 
-/// Its fields, empty where there is no such record.
+/// Fields of a record, empty if there is no such record.
 template <class Owner>
 void scalar_fields(CsvWriter& csv, const std::type_identity_t<Owner>* owner, std::string_view from = {}) {
   for (const Quantity<Owner>& q : rows_from<Owner>(from)) {
@@ -515,7 +515,7 @@ void series_header(CsvWriter& csv, std::string_view prefix = {}) {
     if (q.value.series) csv.text(std::string(prefix).append(q.key));
 }
 
-/// The numbers of one thread.
+/// Numbers of one thread.
 template <class Owner>
 void series_fields(CsvWriter& csv, const Owner& owner, std::size_t thread) {
   for (const Quantity<Owner>& q : record_of<Owner>().quantities) {

@@ -4,16 +4,16 @@
 
 namespace prs {
 
-/// The unit of a response, as people write it: `um` of `axial_displacement_um`.
+/// Unit of a response for people: `um` of `axial_displacement_um`.
 std::string unit_of_response(std::string_view path);
 
-/// Numbers, or rows of numbers.
+/// Whether it is an array of numbers, or of rows of numbers.
 bool is_series(const Json& json);
 
-/// The number at a path that begins with `.KEY` or `[k]`; of an array at `[k]`, `.max`, `.min`, `.mean`.
+/// The number at a path that begins with `.KEY` or `[k]`; in an array at `[k]`, `.max`, `.min`, `.mean`.
 std::optional<double> number_at(const Json& json, std::string_view path);
 
-/// What stands under keys with dots between them; null where there is nothing.
+/// Value under keys with dots between them; null if there is none.
 const Json* value_at(const Json& json, std::string_view path);
 
 /// Paths of the numbers and of the series of a record.

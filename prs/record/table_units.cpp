@@ -13,7 +13,8 @@
 namespace prs {
 namespace {
 
-/// Takes `[k]` from the end of a key: the number of a `thread`, for example, else as it is.
+/// Removes `[k]` from the end of a key and returns it as a text: `, thread 1` if `what` is a thread, else `[k]`; empty
+/// if there is none.
 std::string take_index(std::string_view& key, std::string_view what) {
   if (!key.ends_with(']')) return {};
   const std::size_t at = key.rfind('[');
@@ -26,7 +27,7 @@ std::string take_index(std::string_view& key, std::string_view what) {
   return shown;
 }
 
-/// Whether a number, as it is shown, is nothing but zeros.
+/// Whether the text of a number has only zeros.
 bool is_zero(std::string_view text) { return text.find_first_not_of("+-0.") == text.npos; }
 
 }  // namespace
@@ -60,7 +61,7 @@ namespace {
 
 thread_local UnitSystem system_of_tables = UnitSystem::si;
 
-/// Decimals that the smaller or larger unit needs to show the same digits.
+/// Decimals needed in the smaller or larger unit for the same digits.
 int decimals_in(const ShownUnit& shown, const ShownUnit& unit, int decimals) {
   const int more = static_cast<int>(std::ceil(-std::log10(shown.factor / unit.factor)));
   return std::max(0, decimals + more);
@@ -68,7 +69,7 @@ int decimals_in(const ShownUnit& shown, const ShownUnit& unit, int decimals) {
 
 constexpr const char* kNumber = R"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)";
 
-/// What stands before, one number or two of a range, and one of the units that are replaced.
+/// Pattern of a number, or a range of two, before a unit that is replaced.
 std::regex quantity_in_sentence() {
   std::string units = "um";
   for (const ShownUnit& unit : kShownUnits) {
@@ -83,7 +84,7 @@ std::regex quantity_in_sentence() {
       fmt::format(R"((^|[ (]|−)({0})(?:( to | and | or | x | × )({0}))? ({1})(?![\w/^(²³]))", kNumber, units));
 }
 
-/// The number converted, with as many digits as it had, three at least.
+/// The converted number, with as many digits as before, at least three.
 std::string converted_number(const std::string& number, double factor) {
   int digits = 0;
   for (const char c : number.substr(0, number.find('e')))
@@ -248,7 +249,7 @@ constexpr int kBarCells = 36;
 constexpr std::size_t kBarColumn = kBarCells + 9;
 constexpr std::string_view kEighths[] = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
 
-/// A bar to an eighth of a character.
+/// A bar with a resolution of an eighth of a character.
 std::string bar(double value, double largest) {
   const double share = largest > 0.0 ? std::clamp(value / largest, 0.0, 1.0) : 0.0;
   const auto [cells, eighths] = std::div(static_cast<int>(std::lround(8 * kBarCells * share)), 8);

@@ -8,7 +8,7 @@ std::optional<CurveDeviations> curve_deviations(std::span<const double> computed
   if (computed.empty() || computed.size() != reference.size()) return std::nullopt;
   CurveDeviations d;
   const double share = 1.0 / static_cast<double>(computed.size());
-  constexpr double kRounding = 1e-13;  // Of values, as of shares whose sum is the same on both sides.
+  constexpr double kRounding = 1e-13;  // Rounding of values such as shares with the same sum on both sides.
   double squares = 0.0, magnitude = 0.0;
   for (std::size_t k = 0; k < computed.size(); ++k) {
     const double difference = computed[k] - reference[k];

@@ -5,7 +5,7 @@
 
 namespace prs {
 
-/// How far a computed curve lies from a reference: computed less reference, point by point.
+/// Deviations of a computed curve from a reference: computed minus reference, point by point.
 struct CurveDeviations {
   double mean = 0.0;
   double mean_magnitude = 0.0;
@@ -14,10 +14,10 @@ struct CurveDeviations {
   std::size_t largest_at = 0;  ///< Index of that point.
 };
 
-/// Nothing where a point has no number.
+/// Deviations; none if a point has no number.
 std::optional<CurveDeviations> curve_deviations(std::span<const double> computed, std::span<const double> reference);
 
-/// Slope of the straight line through points by least squares; nothing where all have one x.
+/// Slope of the least-squares line through points; none if all have the same x.
 std::optional<double> slope(std::span<const double> x, std::span<const double> y);
 
 }  // namespace prs

@@ -4,7 +4,7 @@
 
 namespace prs {
 
-/// An amount of a response, in the response's unit or as a share of numbers.
+/// An amount of a response, in its unit or as a share of numbers.
 struct Spread {
   enum class Of {
     value,
@@ -14,16 +14,16 @@ struct Spread {
 
   Of of = Of::value;
   double amount = 0.0;
-  std::string text = {};  ///< As it is written.
+  std::string text = {};  ///< Text as written.
 
-  /// At a number among those with that mean.
+  /// Amount for a number among those with that mean.
   double at(double number, double mean) const;
 };
 
 /// A row of a reference.
 struct ReferenceReading {
-  double along = 0.0;               ///< In the reference's unit; of threads from 1.
-  double value = 0.0;               ///< In the response's unit.
+  double along = 0.0;               ///< Abscissa in the reference's unit; for threads from 1.
+  double value = 0.0;               ///< Value in the response's unit.
   std::optional<double> deviation;  ///< Deviation of the reference itself.
   std::size_t line = 0;             ///< Line of the file.
 };
@@ -39,12 +39,12 @@ struct ReferenceCurve {
   std::string load_case;  ///< Empty of responses of the whole case.
   Command command = Command::solve;
   std::string response;  ///< Path in a load case, `screw.load_rate_percent`, or in the document: `life.system.life_km`.
-  std::string unit;      ///< Unit of the response as people write it: `um`; empty of ratios.
-  std::string along;     ///< `thread`, the key or path of an input, or nothing.
+  std::string unit;      ///< Unit of the response for people: `um`; empty for ratios.
+  std::string along;     ///< `thread`, the key or path of an input, or empty.
   std::string along_unit;
-  std::vector<ReferenceReading> readings;  ///< Ascending.
+  std::vector<ReferenceReading> readings;  ///< Readings, ascending.
   std::optional<Spread> tolerance;
-  std::vector<Case> cases = {};  ///< Cases of the readings over an input, each with its load case alone.
+  std::vector<Case> cases = {};  ///< Cases of the readings over an input, each with its load case only.
 
   bool is_over_threads() const { return along == "thread"; }
   bool is_over_force() const { return along == "axial_force" || along.ends_with(".axial_force"); }
@@ -52,9 +52,9 @@ struct ReferenceCurve {
   double mean_magnitude() const;
 };
 
-/// Reads the block `references` of a source and opens its files; `c` is the case of the source. A file
-/// gives one reference for each load case and, without `response`, for each column that is one. Throws
-/// InputError, with file, line and column of what is wrong in a file.
+/// Reads the block `references` of a source and opens its files; `c` is the case of the source. A file gives one
+/// reference for each load case and, without `response`, for each column that names one. Throws InputError, with file,
+/// line and column of an error in a file.
 std::vector<ReferenceCurve> read_references(const input::Source& source, const Case& c);
 
 }  // namespace prs

@@ -17,7 +17,7 @@ namespace {
 using input::Conversion, input::Node, input::Readings, input::ReferenceItem, input::shown;
 
 constexpr std::size_t kMostRows = 100'000;
-constexpr std::size_t kMostComputed = 1'000;  ///< Rows that are each a case of their own.
+constexpr std::size_t kMostComputed = 1'000;  ///< Largest number of rows that each need a case of their own.
 constexpr std::string_view kThread = "thread", kForce = "axial_force", kLoadCase = "load_case";
 
 bool contains(const std::vector<std::string>& words, std::string_view word) {
@@ -84,7 +84,7 @@ std::string nearest_responses(const std::string& path, bool over_threads) {
 /// The key without its unit.
 std::string_view stem(std::string_view path) { return path.substr(0, path.size() - unit_of(path).suffix.size()); }
 
-/// The unit as people write it, of the end of a name.
+/// Unit, for people, at the end of a name.
 std::string unit_behind(std::string_view name) { return unit_of_response(name); }
 
 /// A column that is read as a response.
@@ -222,7 +222,7 @@ class ReferenceReader {
     input_path_ = input_;
   }
 
-  /// What a column of that name stands for; nothing of others.
+  /// Input for a column of that name; empty for others.
   static std::string_view input_named(std::string_view name) {
     if (name == kThread) return kThread;
     const std::string_view quantity = name.substr(0, name.size() - unit_of(name).suffix.size());
@@ -292,7 +292,7 @@ class ReferenceReader {
     return names;
   }
 
-  /// A range of forces is one item, of which rows set the force.
+  /// A range of forces is one item, whose force the rows set.
   const LoadCase* find_load(std::string_view name) const {
     for (const LoadCase& load : case_.load_cases)
       if (load.is_solved() && (load.name == name || (!input_path_.empty() && load.name == fmt::format("{}[0]", name))))
@@ -435,7 +435,7 @@ class ReferenceReader {
   Node root_;
   std::vector<ReferenceItem> items_;
 
-  // The block that is being read.
+  // Path of the block being read.
   std::string at_;
   const ReferenceItem* item_ = nullptr;
   std::size_t load_case_ = npos, along_ = npos;

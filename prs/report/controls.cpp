@@ -12,18 +12,18 @@ namespace {
 
 enum class Span { factor, about, whole };
 
-/// An input that a page moves. `[]` in its path stands for any item.
+/// An input that a page varies. `[]` in its path matches any item.
 struct Control {
   const char* group;
   const char* path;
   const char* title;
   Span kind = Span::factor;
-  double from = 0.5, to = 1.5;  ///< Over its value, or what is added to it; from 0: not below 0.
+  double from = 0.5, to = 1.5;  ///< Ends over its value, or differences to it; from 0: not below 0.
   bool of_force = false;        ///< Whether it is a share of the axial force.
 };
 
 constexpr const char* kSpectrum = "life.spectrum[].force";
-constexpr std::size_t kMostAtOnce = 100;  ///< Loads of a spectrum that one slider moves.
+constexpr std::size_t kMostAtOnce = 100;  ///< Largest number of loads of a spectrum that one slider moves.
 constexpr const char* kLoads = "Loads";
 constexpr const char* kThreads = "Threads";
 constexpr const char* kBodies = "Bodies";
@@ -70,7 +70,7 @@ constexpr Control kControls[] = {
     {kRunning, "heat.conductance.screw_ambient", "Conductance, screw to ambient", Span::factor, 0.2, 5.0},
 };
 
-/// A number and what stands behind it: `45 deg`; absent where a text is no such value.
+/// A number and its unit: `45 deg`; absent if a text is no such value.
 struct Written {
   double number = 0.0;
   std::string unit;
@@ -86,7 +86,7 @@ std::optional<Written> number_and_unit(std::string_view text) {
   return written;
 }
 
-/// The values within one: `{coulomb: 0.11}` has one below `coulomb`.
+/// Values nested in one: `{coulomb: 0.11}` has one below `coulomb`.
 std::vector<std::pair<std::string, std::string>> values_in(const std::string& path, std::string_view value) {
   if (!value.starts_with('{')) return {{path, std::string(value)}};
   std::vector<std::pair<std::string, std::string>> all;
@@ -122,13 +122,13 @@ std::string any_item(const std::string& path) {
 /// Inputs of one value, which one slider moves.
 struct Slider {
   const Control* control = nullptr;
-  std::string value;  ///< In the unit that `ends_of` goes by.
-  std::string shown;  ///< In that of the page.
+  std::string value;  ///< Value in the unit used by `ends_of`.
+  std::string shown;  ///< Value in the unit of the page.
   std::vector<std::string> paths;
   std::vector<std::string> cases;  ///< Names of their load cases.
 };
 
-/// Two digits, so that the ends of a slider are round.
+/// Value with two digits, so that the ends of a slider are round.
 double rounded(double value) {
   const std::string text = fmt::format("{:.1e}", value);
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -161,7 +161,7 @@ std::pair<double, double> ends_of(const Findings& all, const Control& control, d
   return std::minmax({rounded(from), rounded(to)});
 }
 
-/// As the file has it; on a page in US units in these.
+/// Text in the unit of the file; on a page in US units in these.
 std::string shown_text(const std::string& value, const std::string& of_file) {
   const std::string own = number_and_unit(value)->unit, of_table(table_unit(own).text);
   const std::optional<Written> written = number_and_unit(of_file);
@@ -172,7 +172,7 @@ std::string shown_text(const std::string& value, const std::string& of_file) {
   return written && input::number_in(value, written->unit) ? of_file : value;
 }
 
-/// As a field has room for it.
+/// Text short enough for a field.
 std::string short_text(const std::string& value, const Written& written) {
   constexpr std::size_t kRoom = 12;
   if (value.size() <= kRoom) return value;
@@ -203,7 +203,7 @@ std::string slider_html(const Findings& all, const Slider& slider, int index) {
       html(shown.unit));
 }
 
-/// The item of a list that an input belongs to, `load_cases[0]`; empty where there is none.
+/// Item of the list that an input belongs to, `load_cases[0]`; empty if there is none.
 std::string item_of(const std::string& path) { return path.substr(0, path.find(']') + 1); }
 
 std::string name_of_item(const Findings& all, const std::string& path) {
@@ -223,12 +223,12 @@ std::size_t count_of(const Findings& all, std::string_view pattern) {
       all.checked().fields, [&](const input::EchoEntry& field) { return any_item(field.path) == pattern; }));
 }
 
-/// Every load of the spectrum; none where one of them is no load case's.
+/// Every load of the spectrum; none if one of them belongs to no load case.
 std::vector<Follower> followers(const Findings& all) {
   struct Load {
     std::string path, force, direction;
   };
-  std::map<std::string, Load> cases, spectrum;  // By their items.
+  std::map<std::string, Load> cases, spectrum;  // Loads by their items.
   for (const input::EchoEntry& field : all.checked().fields) {
     const std::string pattern = any_item(field.path);
     auto& loads = pattern.starts_with("load_cases[].") ? cases : spectrum;
@@ -254,7 +254,7 @@ std::vector<Follower> followers(const Findings& all) {
 }  // namespace
 
 std::string controls_html(const Findings& all) {
-  constexpr std::size_t kMostAlike = 6;  // Sliders of one kind, for several load cases.
+  constexpr std::size_t kMostAlike = 6;  // Largest number of sliders of one kind, for several load cases.
   if (!all.most_complete()) return {};
   std::vector<Slider> sliders;
   const bool full = input_value(all, "model.mechanism") == "full";
@@ -263,7 +263,8 @@ std::string controls_html(const Findings& all) {
   const bool own_loads = led.empty() && count_of(all, kSpectrum) <= kMostAtOnce;
   for (const Control& control : kControls) {
     const std::string_view wanted = control.path;
-    const bool is_of_all = control.kind == Span::about && wanted.starts_with("load_cases[].");  // Full alone.
+    // Only if it is complete.
+    const bool is_of_all = control.kind == Span::about && wanted.starts_with("load_cases[].");
     if ((is_of_all && !full) || (wanted == kSpectrum && !own_loads)) continue;
     std::vector<Slider> own;
     for (const input::EchoEntry& field : all.checked().fields) {
@@ -286,7 +287,7 @@ std::string controls_html(const Findings& all) {
       }
     }
     if (own.size() == 1 && (own.front().cases.size() >= cases || !wanted.starts_with("load_cases")))
-      own.front().cases.clear();  // All have the same.
+      own.front().cases.clear();  // All load cases have the same.
     if (own.size() > kMostAlike) own.resize(kMostAlike);
     std::ranges::move(own, std::back_inserter(sliders));
   }
@@ -306,7 +307,7 @@ namespace {
 
 using ThreadRows = std::vector<std::vector<std::string>>;
 
-/// The entries of an array, those of arrays in it one after the other: roller after roller.
+/// Entries of an array, nested arrays joined: roller after roller.
 std::vector<Json> flat(const Json& array) {
   std::vector<Json> all;
   if (!array.is_array()) return all;
@@ -318,8 +319,7 @@ std::vector<Json> flat(const Json& array) {
   return all;
 }
 
-/// What a record has of one thread at both interfaces: the entries of series as long as that of
-/// the loads.
+/// Adds rows for the values of one thread at both interfaces: entries of series as long as that of the loads.
 void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t thread, std::size_t threads,
                      ThreadRows& rows) {
   const Json& screw = under(json, "screw");
@@ -413,7 +413,7 @@ bool is_wanted(const LiveQuestion& q, const SectionRow& row) {
   return q.sections.empty() || std::ranges::find(q.sections, row.id) != q.sections.end();
 }
 
-/// The report that a page started from and what serves its questions, kept from one to the next.
+/// The report that a page started from, and data for its questions, kept between them.
 struct Kept {
   input::Source source;
   std::unique_ptr<Findings> quick, complete;
@@ -446,7 +446,7 @@ Findings& report_of(const input::Source& report, bool quick, Kept& kept) {
   return *known;
 }
 
-/// What has loads of its own that are still the report's, while the load cases have others.
+/// Commands whose own loads are still the report's, while the load cases have others.
 std::map<Command, std::string> unmoved(const input::Source& report, const input::Source& changed) {
   const auto values = [](const input::Source& source) { return input::read_case_input(source, Command::check).values; };
   const Case before = values(report), now = values(changed);

@@ -11,7 +11,7 @@ namespace prs {
 
 class FullSolver;
 
-/// What a command found.
+/// Result of a command.
 struct CommandAnswer {
   Command command;
   Delivery delivery;
@@ -19,102 +19,97 @@ struct CommandAnswer {
   Pictures pictures = {};
 };
 
-/// Files of a study or an optimization that was run before.
+/// Files of a study or an optimization from an earlier run.
 struct StoredRun {
   Command command;
   std::vector<OutputFile> files;
 };
 
-/// A drawn picture: the section, its name, and how many of that name stood before it there.
+/// Place of a drawn picture: the section, its name, and how many of that name precede it there.
 using FigurePlace = std::tuple<std::string, std::string, int>;
 
-/// What a page is made of.
+/// Data from which a page is made.
 struct Findings {
   input::Source source;
   ReportOptions options;
   std::string date;
-  DocumentInfo origin;  ///< Origin of the case, as in its documents; of quick findings empty.
+  DocumentInfo origin;  ///< Origin of the case, as in its documents; empty for quick findings.
   Delivery check;
   std::vector<CommandAnswer> answers;
   std::vector<StoredRun> studies;
-  std::vector<Warning> warnings;  ///< Warnings of all that was computed.
+  std::vector<Warning> warnings;  ///< Warnings of all results.
   CaseVerdict verdict;
   std::vector<std::string> notes;
-  std::vector<std::string> void_paths;  ///< Inputs that overrides stand in for.
+  std::vector<std::string> void_paths;  ///< Inputs that overrides replace.
   bool converged = true;
-  bool is_full = false;  ///< All rollers, not one for all.
+  bool is_full = false;  ///< Whether there are all rollers, not one representing all.
 
-  const Findings* before = nullptr;  ///< Shown behind these, in grey.
-  /// What has loads of its own, which stayed while those of the load cases moved, and why.
+  const Findings* before = nullptr;  ///< Earlier findings, drawn behind these in grey.
+  /// Commands with their own loads, which stayed while those of the load cases moved, and the reasons.
   std::map<Command, std::string> unmoved = {};
-  std::vector<Command> lacking = {};       ///< Commands whose module is not here.
-  std::string section = {};                ///< The one that is being written.
-  std::map<std::string, int> places = {};  ///< How many of a name stand in it so far.
-  bool keeps_figures = false;              ///< For those that are drawn behind others.
+  std::vector<Command> lacking = {};       ///< Commands whose module is missing.
+  std::string section = {};                ///< Section being written.
+  std::map<std::string, int> places = {};  ///< Number of pictures of each name in it so far.
+  bool keeps_figures = false;              ///< Whether figures are kept, to be drawn behind others.
   std::map<FigurePlace, Figure> figures = {};
 
   const CheckResult& checked() const { return *check.result<CheckResult>(); }
   const CommandAnswer* answer(Command command) const;
-  /// What a command found; null where it was not run.
+  /// Result of a command; null if it was not run.
   template <class R>
   const R* result(Command command) const {
     const CommandAnswer* of = answer(command);
     return of ? of->delivery.result<R>() : nullptr;
   }
-  /// The load cases, solved where the case has all for it.
+  /// Load cases, solved if the case has all inputs.
   const CommandAnswer* most_complete() const;
 };
 
 /// All commands that a page shows, in the order in which they run.
 std::span<const Command> reported_commands();
 
-/// Runs those of the commands for which the case has all that it needs; of studies and
-/// optimizations, takes what `results` of the options hold. Throws InputError where the case is
-/// wrong.
+/// Runs the commands for which the case has all inputs; for studies and optimizations, takes the contents of `results`
+/// in the options. Throws InputError if the case is wrong.
 Findings findings_of(input::Source source, ReportOptions options, std::span<const Command> commands);
 
-/// What sections need that follow a moving value: the loads where the case has all for `solve`,
-/// else the contacts, and of the check its warnings. `full` solves one full mechanism after the
-/// other.
+/// Findings for sections that follow a moving value: the loads if the case has all inputs of `solve`, else the
+/// contacts, and the warnings of the check. `full` solves one full mechanism after the other.
 Findings quick_findings_of(input::Source source, FullSolver& full);
 
-/// What stands under a key; null where there is nothing.
+/// Value under a key; null if there is none.
 const Json& under(const Json& json, const std::string& key);
 
-/// Value of an input as the file could have it; empty where there is none.
+/// Value of an input as in a file; empty if there is none.
 std::string input_value(const Findings& all, std::string_view path);
 
-/// State, numbers of interest, and how many warnings.
+/// HTML with the state, headline numbers, and the number of warnings.
 std::string verdict_html(const Findings& all);
 
-/// What did not converge, a line for each command.
+/// Failed commands, one line for each.
 std::vector<std::string> unconverged(const Findings& all);
-/// Warnings, or the assumptions among them; empty where there is none.
+/// Warnings, or the assumptions among them; empty if there are none.
 std::string warning_list(const Findings& all, bool assumptions);
 
-/// Sliders and fields for the inputs that matter, by what the case states; empty where it has
-/// nothing that a page could move.
+/// Sliders and fields for the important inputs of the case; empty if a page could move none.
 std::string controls_html(const Findings& all);
 
 /// Name of the case, and its mechanism in a sentence.
 std::string head_html(const Findings& all);
 
-/// The load cases whose threads can be looked at, and the most loaded thread; null where none can.
+/// Load cases whose threads can be shown, and the most loaded thread; null if there are none.
 Json thread_choices(const Findings& all);
 
-/// The figure that the place of a picture shows, before it is written: with what stood there
-/// before behind it.
+/// Figure at the place of a picture, before it is written: with the former one behind it.
 std::string figure_html(Findings& all, Figure figure, bool narrow = false);
 
-/// A section of the page and how it is written.
+/// A section of the page and the function that writes it.
 struct SectionRow {
   std::string_view id, title;
   std::function<std::string(Findings&)> make;
-  bool is_quick = false;  ///< Needs `solve` or `contact` alone: follows while a value moves.
+  bool is_quick = false;  ///< Whether it needs only `solve` or `contact`, so that it follows a moving value.
 };
 
-/// In the order in which a reviewer asks: the answer, the part, what is doubtful, what was put in,
-/// then what came out.
+/// Sections in the order of a review: the answer, the part, doubts, inputs, then results.
 std::span<const SectionRow> section_rows();
 
 ReportSection section_of(Findings& all, const SectionRow& row);

@@ -9,9 +9,9 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kMostShown = 50;  ///< Candidates that the page shows.
+constexpr std::size_t kMostShown = 50;  ///< Largest number of candidates on the page.
 
-/// The first items, a row each, with a column for each of these keys of their record.
+/// First items, one row each, with a column for each of these keys of their record.
 template <class Item>
 std::string items_html(const std::vector<Item>& items, std::initializer_list<std::string_view> keys) {
   std::vector<std::string> head;
@@ -21,7 +21,7 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
     const ReportUnit unit = report_unit(key, q.unit.text);
     head.push_back(html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", " + unit.text)));
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      Json cell;  // As documents show it.
+      Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);
       rows[k].push_back(cell.empty()      ? "–"
                         : key == "reason" ? html(cell.front().get<std::string>())

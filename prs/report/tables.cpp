@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kLongestList = 3;  ///< Longer lists are shown as their range.
+constexpr std::size_t kLongestList = 3;  ///< Longest list that is not shown as its range.
 
 struct Rows {
   std::string text;
@@ -25,7 +25,7 @@ bool any(const std::vector<RecordColumn>& columns) {
   return std::ranges::any_of(columns, [](const RecordColumn& c) { return c.record != nullptr; });
 }
 
-/// From the least to the largest number of arrays in arrays; empty where there is none.
+/// Range of the numbers of nested arrays; empty if there are none.
 std::pair<double, double> range_of(const Json& value) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (value.is_number()) return {value.get<double>(), value.get<double>()};
@@ -38,7 +38,7 @@ std::pair<double, double> range_of(const Json& value) {
   return range;
 }
 
-/// The largest number of all columns, without its sign.
+/// Largest magnitude of the numbers of all columns.
 double largest_of(const std::vector<RecordColumn>& columns) {
   double largest = 0.0;
   for (const RecordColumn& column : columns)
@@ -70,7 +70,7 @@ void add_row(Rows& rows, const std::string& title, const QuantityInfo& q, std::s
 void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
               const std::string& prefix, std::string_view unit);
 
-/// A record within another: one of numbers with one unit continues the rows, others get a heading.
+/// Adds a nested record: one of numbers with one unit continues the rows, others get a heading.
 void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
                 const std::string& prefix, std::string_view unit) {
   const RecordInfo& info = q.record();
@@ -81,7 +81,7 @@ void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColum
   add_rows(own, info, columns, inside, "", unit);
   if (own.text.empty()) return;
   rows.text += heading(title, columns.size()) + own.text;
-  rows.group = "-";  // What follows has left the group.
+  rows.group = "-";  // The following rows are outside the group.
 }
 
 void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
@@ -106,7 +106,7 @@ void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn
     }
 }
 
-/// Digits that are worth showing.
+/// Useful number of digits for a unit.
 int digits_in(std::string_view unit) {
   for (const std::string_view exact : {"mm", "in", "deg", "1/mm"})
     if (unit == exact) return 5;
@@ -157,7 +157,7 @@ std::string report_value(const Json& value, const ReportUnit& unit, bool is_rang
   if (!value.is_array() || value.empty()) return {};
   const auto is_number = [](const Json& entry) { return entry.is_number(); };
   if (value.size() <= kLongestList && std::ranges::all_of(value, is_number)) {
-    constexpr double kNoise = 1e-9;  // Of the largest: what rounding leaves of a zero.
+    constexpr double kNoise = 1e-9;  // Share of the largest number below which a value is a rounded zero.
     double largest = 0.0;
     for (const Json& entry : value) largest = std::max(largest, std::abs(entry.get<double>()));
     std::string all;
@@ -238,7 +238,7 @@ namespace {
 
 constexpr int kTitleTop = 36;
 
-/// As a list of the page, whose lines break where the screen ends.
+/// Legend as a list of the page, whose lines break at the edge of the screen.
 std::string legend_html(const Figure& figure) {
   if (figure.legend.empty()) return {};
   std::string all = "<ul class=\"legend\">";
@@ -250,12 +250,12 @@ std::string legend_html(const Figure& figure) {
 
 /// Whether a panel is drawn half as wide as the page: others are flat, or have words at their axes.
 bool is_half(const Figure& figure, const Panel& panel) {
-  constexpr double kWord = 50.0;  // Pixels.
+  constexpr double kWord = 50.0;  // Width in pixels.
   if (longest_text(x_axis(figure, panel)) > kWord || longest_text(y_axis(figure, panel)) > kWord) return false;
   return figure.columns > 1 || figure.aspect == 0.0 || figure.aspect >= 0.5;
 }
 
-/// One panel of the figure, which has no legend then.
+/// One panel of the figure, without a legend.
 Figure panel_alone(const Figure& figure, std::size_t index) {
   Figure one{figure.name, figure.title, figure.x, figure.y};
   one.panels.push_back(figure.panels[index]);
@@ -265,7 +265,7 @@ Figure panel_alone(const Figure& figure, std::size_t index) {
   return one;
 }
 
-/// Over a panel whose points are threads: where they stand, for scripts.
+/// Element over a panel whose points are threads, with their places for scripts.
 std::string pick_svg(const Frame& f) {
   if (!f.x.label.starts_with("Thread,")) return {};
   return fmt::format(
@@ -284,7 +284,7 @@ std::string image(const Figure& figure, std::size_t index, const std::string& id
   const bool titled = std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
   const int top = titled ? kTitleTop - 6 : kTitleTop + 20;  // The page has the title.
   const std::string& title = figure.panels[index].title;
-  constexpr int kSecondLine = 26;  // Room below the axis that few labels need.
+  constexpr int kSecondLine = 26;  // Space below the axis that few labels need.
   const Axis& x = x_axis(one, one.panels[0]);
   const bool is_short =
       !one.panels[0].surface &&
@@ -296,7 +296,7 @@ std::string image(const Figure& figure, std::size_t index, const std::string& id
          panel_svg(one, layout, 0, fmt::format("{}-{}", id, index)) + pick_svg(frame_of(one, layout, 0)) + "</svg>";
 }
 
-/// The scale of the colours, an image of its own.
+/// The scale of the colours as a separate image.
 std::string colour_bar(const ColourScale& scale) {
   return fmt::format("<svg viewBox=\"0 0 {} 76\" class=\"half\" role=\"img\" aria-label=\"{}\">{}</svg>", kHalfWidth,
                      html(text_of({scale.label, scale.unit})), colour_bar_svg(scale, {40, kHalfWidth - 40, 8, 22}));
@@ -332,7 +332,7 @@ std::string svg(const Figure& drawn, const std::string& id) {
 
 std::string svg_style() {
   std::string light, dark;
-  // On dark paper, what is black or blue must be lighter.
+  // On dark paper black and blue must be lighter.
   constexpr std::string_view kOnDark[] = {"#56b4e9", "#ff8a3c", "#2fc79b", "#e6a3cb", "#f0b73c", "#9bd4f5",
                                           "#e8e8e6", "#a5a5a5", "#b5b5b5", "#6b6b6b", "#ff6b4a"};
   for (std::size_t k = 0; k < std::size(kColours); ++k) {

@@ -6,24 +6,23 @@
 
 namespace prs {
 
-/// In what a quantity is shown, and shown = number of the document * factor.
+/// Unit of a shown quantity, with shown = number of the document * factor.
 struct ReportUnit {
   std::string text;
   double factor = 1.0;
 };
 
-/// Unit of a quantity by its key or path, with the unit of documents: efficiencies are told in percent,
-/// pressures in GPa, forces in kN where the largest of them reaches 1000 N; in US units as in
-/// tables.
+/// Unit of a quantity by its key or path, with the unit of documents: efficiencies are shown in percent, pressures in
+/// GPa, forces in kN if the largest of them reaches 1000 N; in US units as in tables.
 ReportUnit report_unit(std::string_view key, std::string_view unit,
                        double largest = std::numeric_limits<double>::infinity());
 
-/// A number as the report shows it, never with a separator of thousands. Lengths and angles, which
-/// follow from the geometry, have five digits, what rests on models of loads four, lives and
-/// temperatures three, stiffness has one decimal. `unit` as people write it.
+/// A number as the report shows it, never with a separator of thousands. Lengths and angles, which follow from the
+/// geometry, have five digits, results of models of loads four, lives and temperatures three, stiffness has one
+/// decimal. `unit` as people write it.
 std::string report_number(double value, std::string_view unit);
 
-/// What a document says, as HTML: of long arrays their range; empty where it is no number or text.
+/// Value of a document as HTML: range of long arrays; empty if it is no number or text.
 std::string report_value(const Json& value, const ReportUnit& unit, bool is_range = false);
 
 /// A column of a table of quantities.
@@ -32,26 +31,25 @@ struct RecordColumn {
   const Json* record = nullptr;
 };
 
-/// Which quantities a table shows.
+/// Choice of the quantities in a table.
 struct RecordChoice {
-  std::vector<std::string> without = {};  ///< Keys that are left out.
-  std::vector<std::string> only = {};     ///< Keys that are shown; empty: all others.
-  std::vector<std::string> hidden = {};   ///< Keys that are left out in records within, too.
-  Reach reach = Reach::complete;          ///< `document`: those about the solution alone.
+  std::vector<std::string> without = {};  ///< Keys to leave out.
+  std::vector<std::string> only = {};     ///< Keys to show; empty: all others.
+  std::vector<std::string> hidden = {};   ///< Keys to leave out in nested records, too.
+  Reach reach = Reach::complete;          ///< `document`: only quantities about the solution.
 };
 
-/// All single values of records, a row each, with titles and units of the table of results; empty
-/// where there is none.
+/// All single values of records, one row each, with titles and units of the table of results; empty if there are none.
 std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>& columns,
                          const RecordChoice& choice = {});
 
-/// The values under a key of each column; null where it has none.
+/// Values under a key of each column; null if it has none.
 std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns, std::string_view key);
 
-/// The record under a key; null where there is none.
+/// The record under a key; null if there is none.
 const RecordInfo* record_in(const RecordInfo& info, std::string_view key);
 
-/// What folds under a heading; empty where there is nothing. On paper only what was opened stands.
+/// Content folded under a heading; empty if there is none. On paper only opened parts appear.
 std::string folded_html(std::string_view title, const std::string& body, bool is_printed = false);
 
 /// A table of texts that are HTML; the first cell of each row is its heading. A row of one cell is

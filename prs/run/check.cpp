@@ -191,7 +191,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
                        padded(c.value ? number(*c.value) : "", 9, false) + ' ' +
                        padded(std::string(is_known ? table_unit(*documents).text : unit), 9, true) +
                        padded(limit, 33, true) + ' ' + padded(words(c), 13, true);
-    // What is too long for the line stands below it.
+    // The place is below the line if it is too long for it.
     if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
     text += ended(line);
     if (!where.empty()) text += wrapped(where, std::string(kTitleWidth, ' '), kTableWidth);
@@ -208,7 +208,7 @@ std::string head(const CheckResult& result) {
 /// Readiness by command and what to add, warnings, derived values.
 std::string check_table(const CheckResult& result) { return head(result) + derived(result.geometry.contacts); }
 
-/// The same, with every value of the input: given, assumed or a default.
+/// The table with every value of the input: given, assumed or a default.
 std::string full_check_table(const CheckResult& result) {
   return head(result) + input_list(result) + derived(result.geometry.contacts);
 }
@@ -218,11 +218,11 @@ void put_check(Json& document, const CheckResult& result) {
   put_contacts(document, result.geometry.contacts);
 }
 
-/// What `solve` gives of the largest loads.
+/// Results of `solve` for the largest loads.
 std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double largest) {
   Case c = in.values;
   std::erase_if(c.load_cases, [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
-  c.heat.reset();  // Its duty may name load cases that are gone.
+  c.heat.reset();  // The duty may name load cases that were removed.
   return analyze(c).load_cases;
 }
 
@@ -230,7 +230,7 @@ bool has_life(const input::CaseInput& in) {
   return analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty();
 }
 
-/// What `solve` finds unusual about the largest loads, and `life` about those of its block.
+/// Warnings of `solve` about the largest loads, and of `life` about those of its block.
 std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in, double largest) {
   std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
   if (has_life(in)) std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
@@ -302,7 +302,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
         warnings.push_back(std::move(*note));
     } else if (largest != c.load_cases.end())
       warnings = equal_share_warnings(*largest, geometry.contacts);
-  } catch (const CaseError&) {  // The command that cannot run says why.
+  } catch (const CaseError&) {  // The command that cannot run reports the reason.
   } catch (const input::InputError&) {
   }
   for (Warning& warning : warnings)
@@ -329,15 +329,15 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   Result& geometry = result.geometry;
   geometry.contacts = find_contacts(c.mechanism, c.materials);
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
-  // What odd values bring about is not told again.
+  // Effects of unusual values are not reported twice.
   if (in.warnings.empty()) warn_of_loads(source, in, geometry);
   if (std::optional<Warning> note = unknown_film_ratio(c)) geometry.warnings.push_back(std::move(*note));
   for (Warning& note : void_input_warnings(c)) geometry.warnings.push_back(std::move(note));
   return result;
 }
 
-/// The same with the verdict, for which it runs what the case is ready for. `measures` has what
-/// `solve` gives.
+/// Result of the check with the verdict, for which all commands with complete inputs are run. `measures` includes the
+/// results of `solve`.
 CheckResult checked_with_verdict(const input::Source& source, const input::CaseInput& in) {
   CheckResult result = checked(source, in);
   std::vector<Attempt> attempts;

@@ -5,33 +5,33 @@
 
 namespace prs {
 
-/// What a case must get before a command runs; nothing where it does.
+/// Inputs that a case lacks for a command; none if the command runs.
 struct CommandNeeds {
   Command command = Command::check;
   std::vector<Problem> unmet;
-  std::optional<ModelOptions::Loads> loads;  ///< Loads that a command with loads of threads takes.
-  bool is_built = true;  ///< False where the program leaves out the command, or what the case asks for (PRS_FULL).
+  std::optional<ModelOptions::Loads> loads;  ///< Kind of loads that a command with loads of threads uses.
+  bool is_built = true;  ///< false if the program omits the command, or a part that the case requests (PRS_FULL).
 };
 
-/// The resolved case, what follows from it, what is unusual, and what it is ready for.
+/// The resolved case, derived numbers, warnings, and the commands with complete inputs.
 struct CheckResult {
   std::vector<input::EchoEntry> fields;
   std::map<std::string, std::string> assumed;  ///< See `input::assumptions`.
   std::vector<CommandNeeds> commands;
-  Result geometry;  ///< Contacts and warnings alone.
+  Result geometry;  ///< Result with contacts and warnings only.
   std::optional<CaseVerdict> verdict = {};
 };
 
-/// Without contacts and threads.
+/// Record without contacts and threads.
 Record<CheckResult> record_of(Type<CheckResult>);
 
-/// What a value rests on, `given`, `assumed` or `default`, and the reason of an assumed one.
+/// Basis of a value, `given`, `assumed` or `default`, and the reason of an assumed one.
 std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& field, const CheckResult& result);
 
 /// Numbers that follow from the mechanism, by their keys in documents.
 Json derived_of(const Mechanism& mechanism);
 
-/// `check` with the verdict, for which it runs what the case is ready for.
+/// `check` with the verdict, for which all commands with complete inputs are run.
 const Analysis<CheckResult>& check_analysis();
 
 /// `check` without the verdict.

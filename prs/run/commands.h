@@ -13,31 +13,30 @@ const AnyAnalysis& analysis_of(Command command);
 /// Files other than a case.
 std::span<const OtherFile> other_files();
 
-/// The kind of a source that is no case, by its keys; null of a case.
+/// Kind of a source that is not a case, by its keys; null for a case.
 const OtherFile* other_file(const input::Source& source);
 
-/// A command's document of no analysis, or another form of one.
+/// A document of a command that belongs to no analysis, or another form of one.
 struct DocumentForm {
   std::string_view command;
   const RecordInfo& (*record)();
 };
 std::span<const DocumentForm> document_forms();
 
-/// What a case asks for and this program leaves out (PRS_FULL): `model.bodies: influence`; empty in a
-/// whole program.
+/// Part that a case requests and this program omits (PRS_FULL): `model.bodies: influence`; empty in a complete program.
 std::string_view left_out(const Case& c);
 
-/// `solve` by other means than those of its row, on a case that has all for it.
+/// `solve` with other options than those of its row, on a case that has all inputs.
 Delivery run_solve(const input::Source& source, const input::CaseInput& in, const AnalysisOptions& options);
 
-/// Reads a case, or for `check` another file, for a command and runs it. Throws InputError, also
-/// where the case lacks something.
+/// Reads a case, or for `check` another file, for a command and runs it. Throws InputError, also if the case lacks
+/// something.
 Delivery run(const AnyAnalysis& analysis, const input::Source& source);
 
-/// Origin of a command's documents of a source, which must have been read for it without an error.
+/// Origin of a command's documents for a source, which must have been read for it without an error.
 DocumentInfo document_info(const input::Source& source, Command command);
 
-/// How a run ended: exit statuses of the programs, statuses of answers.
+/// Outcome of a run: exit statuses of the programs, statuses of answers.
 enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3, kBeyondTolerance = 4 };
 constexpr Exit status_of(const Delivery& delivery) {
   return !delivery.converged ? kNotConverged : delivery.within_tolerance ? kDone : kBeyondTolerance;

@@ -10,7 +10,7 @@ namespace {
 
 using Paths = std::vector<std::string>;
 
-/// What a reader compares first of a command's document: of each load case, and of the whole.
+/// Numbers of a command's document that a reader compares first: of each load case, and of the whole.
 struct Headlines {
   Command command;
   Paths of_load_case, of_whole = {};
@@ -31,7 +31,7 @@ const std::vector<Headlines>& headlines() {
   return all;
 }
 
-/// Something of both cases; absent where a case lacks it.
+/// A value of both cases; absent if a case lacks it.
 template <class T>
 using Both = std::array<std::optional<T>, 2>;
 
@@ -43,7 +43,7 @@ struct InputRow {
 
 struct ResultRow {
   Command command;
-  std::string load_case;  ///< Empty: of the whole case.
+  std::string load_case;  ///< Empty for the whole case.
   std::string path;
   Both<double> value;
   std::optional<double> change;
@@ -59,7 +59,7 @@ struct CaseComparison {
   bool converged = true;
 };
 
-/// From the first to the second, of the first: 0.02 is 2 % more. Absent where the sign differs.
+/// Relative change from the first to the second: 0.02 is 2 % more. Absent if the signs differ.
 std::optional<double> change(const Both<double>& value) {
   if (!value[0] || !value[1] || *value[0] == 0.0 || *value[0] * *value[1] < 0.0) return std::nullopt;
   return (*value[1] - *value[0]) / std::abs(*value[0]);
@@ -70,7 +70,7 @@ std::optional<double> change(const input::EchoEntry& a, const input::EchoEntry& 
   return change({a.number, b.number});
 }
 
-/// As the file has it.
+/// Text as in the file.
 std::string told(const input::EchoEntry& entry) { return entry.written.empty() ? entry.value : entry.written; }
 
 std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& first,
@@ -92,7 +92,7 @@ std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& firs
 
 std::string name_of(const Json& load_case) { return load_case.value("name", ""); }
 
-/// The k-th of a name with the k-th of that name; by places where no name is alike.
+/// Pairs of equal names, the k-th with the k-th of that name; by index if no names are equal.
 std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const Json& second) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<bool> taken(second.size());
@@ -108,8 +108,8 @@ std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const
   return pairs;
 }
 
-/// Whether a number counts. Of lives: with a stated capacity those of the catalogue's formula, else those of the
-/// mechanism.
+/// Whether a number is compared. Among lives: with a stated capacity those of the catalogue's formula, else those of
+/// the mechanism.
 bool is_life_in_use(const std::string& path, const std::array<Json, 2>& documents) {
   const bool of_catalogue = path.starts_with("life.catalogue.");
   if (!of_catalogue && !path.starts_with("life.system.")) return true;

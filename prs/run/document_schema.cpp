@@ -30,11 +30,11 @@ Json quantity_json(const QuantityInfo& q) {
   return json;
 }
 
-/// A record and those in it, which stand before it.
+/// Adds a record after those nested in it.
 void put_record(Json& records, const RecordInfo& record) {
   for (const QuantityInfo& q : record.quantities)
     if (q.record) put_record(records, q.record());
-  if (records.contains(record.name)) {  // Of another type, which may lack others.
+  if (records.contains(record.name)) {  // Same record of another type, which may lack other quantities.
     for (std::size_t k = 0; k < record.quantities.size(); ++k)
       if (record.quantities[k].form.optional) records[record.name]["quantities"][k]["optional"] = true;
     return;
@@ -55,7 +55,7 @@ Json analysis_json(const AnyAnalysis& analysis) {
   return json;
 }
 
-/// Those of all analyses.
+/// Records of all analyses.
 const std::vector<DocumentRecord>& all_records() {
   static const std::vector<DocumentRecord> all = [] {
     std::vector<Place> places;
@@ -76,7 +76,7 @@ using schema_parts::link, schema_parts::list, schema_parts::map_of, schema_parts
 
 Json text() { return type("string"); }
 
-/// All words of a text where its meaning lists them, `bars | refined`.
+/// Schema with all words of a text if its meaning lists them, `bars | refined`.
 Json text_schema(std::string_view meaning) {
   std::vector<std::string> words;
   for (std::size_t end = 0; end != meaning.npos;) {
@@ -88,7 +88,7 @@ Json text_schema(std::string_view meaning) {
   return words.size() > 1 ? names(words) : text();
 }
 
-/// What stands in a document, as far as it has been described, with the records that it refers to.
+/// Contents of a document described so far, with the records that it refers to.
 struct Parts {
   Json properties = Json::object(), definitions = Json::object();
   std::vector<std::string> required;
@@ -134,10 +134,10 @@ struct Parts {
 
   static Json number_in_list(bool finite) { return finite ? type("number") : Json{{"type", {"number", "null"}}}; }
 
-  /// One without a name stands in one place alone.
+  /// A record without a name occurs in one place only.
   Json record_schema(const RecordInfo& record) {
     if (definitions.contains(record.name)) return link(record.name);
-    if (!record.name.empty()) definitions[record.name] = nullptr;  // It may be within itself.
+    if (!record.name.empty()) definitions[record.name] = nullptr;  // The record may contain itself.
     Parts within;
     within.definitions.swap(definitions);
     within.put(record);
@@ -159,10 +159,10 @@ void put_records(Parts& d, std::span<const Place> places) {
   }
 }
 
-/// What documents have besides the records of their analyses.
+/// Contents of documents besides the records of their analyses.
 constexpr DocumentForm kMore[] = {{"check", describe<CheckResult>}};
 
-/// What every document begins with, and the pictures of `--figures`.
+/// Schema with the beginning of every document, and the pictures of `--figures`.
 Json whole(Parts d, std::string_view command) {
   Json properties{
       {"prs_version", text()},
@@ -285,7 +285,7 @@ Json document_schema(std::string_view command) {
     schema.update(forms[0]);
   else
     schema["oneOf"] = std::move(forms);
-  // Definitions of a schema in a schema move up to where its references find them.
+  // Definitions of a nested schema move up to where its references find them.
   Json figure = figure_schema();
   definitions.update(figure["$defs"]);
   for (Json* part : {&figure, &input})

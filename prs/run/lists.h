@@ -3,7 +3,7 @@
 #include "prs/input/source.h"
 #include "prs/json_type.h"
 
-/// What there is to choose from, as `prs list` shows it.
+/// Choices, as `prs list` shows them.
 namespace prs {
 
 std::string lubricants_table();
@@ -23,8 +23,8 @@ Json responses_json(const std::vector<std::string>& paths);
 /// `.max` only.
 std::vector<std::string> known_responses();
 
-/// Those that the first load case and the document of a case have: for the command of its study,
-/// or, without one, for every command of studies that it has all for. Throws InputError.
+/// Responses of the first load case and the document of a case: for the command of its study, or, without one, for
+/// every command of studies for which it has all inputs. Throws InputError.
 std::vector<std::string> responses_of(const input::Source& source);
 
 }  // namespace prs

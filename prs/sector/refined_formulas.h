@@ -24,8 +24,8 @@ NutNumbers<Real> nut_numbers(const SectorNumbers<Real>& s, const RefinedNumbers<
           s.sine.nut};
 }
 
-/// Adds the compliance in series with each contact to those of screw and nut: the screw's surface
-/// and the nut's wall under radial loads, and both bodies by the rows in which contacts stand.
+/// Adds the compliance in series with each contact to those of screw and nut: the screw's surface and the nut's wall
+/// under radial loads, and the bodies' concentration of loads in rows of contacts.
 template <class Real>
 void add_body_compliance(const NutShape& shape, const SectorNumbers<Real>& s, const RefinedNumbers<Real>& b,
                          const Real* outer_radius, Real* at_screw, Real* at_nut) {
@@ -36,7 +36,7 @@ void add_body_compliance(const NutShape& shape, const SectorNumbers<Real>& s, co
         cylinder_compliance(b.screw_radius, b.screw_bore, b.material.screw, s.rollers, s.pitch, s.sine.screw);
     const Real decay = band_decay(b.screw_radius, b.screw_bore, b.material.screw.poisson_ratio);
     for (std::size_t k = 0; k < contacts; ++k) {
-      // Each end of the band takes from one contact what the other takes from its mirror image.
+      // Each end of the band reduces one contact as much as the other end reduces its mirror image.
       const Real taken = whole * taken_by_end(decay, Real((static_cast<double>(k) + 0.5) * s.pitch));
       at_screw[k] += whole - taken;
       at_screw[contacts - 1 - k] -= taken;

@@ -19,7 +19,7 @@ struct RingGuide {
 
   /// Force on the roller, > 0 outwards [N].
   double force(double v) const { return std::copysign(stiffness * std::max(std::abs(v) - clearance, 0.0), -v); }
-  /// -d force/dv, where the ring just touches that beyond it [N/m].
+  /// -d force/dv; at the touching point the stiffness beyond it [N/m].
   double tangent(double v) const { return std::abs(v) >= clearance ? stiffness : 0.0; }
   /// The stop on one side, which only pushes; its approach is v or -v.
   fe::PowerLawSpring stop() const { return {std::numeric_limits<double>::infinity(), clearance, 1.0 / stiffness}; }
@@ -27,14 +27,14 @@ struct RingGuide {
 
 /// The guides of a roller: outer and inner node of its first end, inner and outer node of its last.
 struct GuideLoads {
-  std::array<double, 4> displacement{};  ///< v against the ring, > 0 outwards [m].
+  std::array<double, 4> displacement{};  ///< Displacement v against the ring, > 0 outwards [m].
   std::array<double, 4> force{};         ///< Force on the roller, > 0 outwards [N].
 
   /// R_near and R_far [N].
   std::array<double, 2> of_ends() const { return {force[0] + force[1], force[2] + force[3]}; }
 };
 
-/// One array of the guides of each roller, roller after roller.
+/// One array of the guides of all rollers, roller after roller.
 inline std::vector<double> roller_after_roller(std::span<const GuideLoads> guides,
                                                std::array<double, 4> GuideLoads::*values) {
   std::vector<double> all;

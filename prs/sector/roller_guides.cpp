@@ -7,7 +7,7 @@ namespace {
 
 using fe::Dof;
 
-/// The roller of a sector as a beam over (v, theta) of its nodes, which follow each other.
+/// The roller of a sector as a beam over (v, theta) of its nodes, in order.
 class RollerBeam {
  public:
   explicit RollerBeam(const Sector& s)
@@ -20,7 +20,7 @@ class RollerBeam {
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) k(to[i], to[j]) += of(from[i], from[j]);
     }
-    // A guide that does not give carries the shape with it.
+    // A rigid guide imposes the shape.
     shapes_ = Eigen::MatrixXd::Zero(size_, 2);
     Eigen::MatrixXd loads = shapes_;
     std::vector<bool> held(static_cast<std::size_t>(size_), false);
@@ -56,7 +56,7 @@ class RollerBeam {
   int at(int node, Dof dof) const { return 2 * (node - first_) + (dof == Dof::v ? 0 : 1); }
 
   int first_, size_;
-  Eigen::MatrixXd shapes_;  ///< A column for each end.
+  Eigen::MatrixXd shapes_;  ///< One column for each end.
 };
 
 void add_force(std::vector<fe::NodalLoad>& loads, const fe::RigidArm& at, double x, double y) {
@@ -65,7 +65,7 @@ void add_force(std::vector<fe::NodalLoad>& loads, const fe::RigidArm& at, double
   loads.push_back({at.node, Dof::theta, at.dx * y - at.dy * x});
 }
 
-/// Friction of thread k on the roller, and back on screw or nut.
+/// Friction of thread k on the roller, and its reaction on screw or nut.
 void add_friction(std::vector<fe::NodalLoad>& loads, const Sector& s, const RollerPush& push, Interface i, int k) {
   const fe::SpringElement& spring = s.model.springs[static_cast<std::size_t>(s.spring(i, k))];
   const double x = push.axial[i][static_cast<std::size_t>(k)];

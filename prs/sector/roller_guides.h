@@ -4,11 +4,11 @@
 
 namespace prs {
 
-/// What the guides of a roller that bends hold of the forces at its threads.
+/// Forces of the guides of a bending roller against the forces at its threads.
 ///
-/// Let phi_h be the shape of the free roller whose guides at end h move outwards by 1. By
-/// reciprocity the guides of that end push the roller outwards with R_h = -sum f phi_h, f all other
-/// forces and moments on it; phi_near + phi_far = 1, a rigid motion.
+/// Let phi_h be the shape of the free roller whose guides at end h move outwards by 1. By reciprocity the guides of
+/// that end push the roller outwards with R_h = -sum f phi_h, f all other forces and moments on it; phi_near + phi_far
+/// = 1, a rigid motion.
 class RollerGuides {
  public:
   explicit RollerGuides(const Sector& sector);
@@ -23,7 +23,7 @@ class RollerGuides {
   };
   struct End {
     PerInterface<std::vector<At>> threads;
-    double of_thread = 0.0, of_heads = 0.0;  ///< Integral of phi over their lengths [m].
+    double of_thread = 0.0, of_heads = 0.0;  ///< Integrals of phi over the lengths of threads and heads [m].
   };
   double sense_;
   PerInterface<double> cosine_, sine_;

@@ -5,7 +5,7 @@ namespace {
 
 using fe::Dof;
 
-/// Bars from the loaded section through the contacts.
+/// Adds bars from the loaded section through the contacts.
 void add_screw(Sector& s) {
   s.loaded_node = s.model.add_node();
   const auto extend = [&](int from, const fe::Bar& bar) {
@@ -19,7 +19,7 @@ void add_screw(Sector& s) {
     s.screw_nodes.push_back(extend(s.screw_nodes.back(), {s.screw_rigidity, s.pitch}));
 }
 
-/// Bars or shells along the nut, the thrust section held.
+/// Adds bars or shells along the nut, and holds the thrust section.
 void add_nut(Sector& s) {
   const NutLine line = nut_line(s);
   const int first = s.model.nodes, last = first + static_cast<int>(line.outer_radius.size());
@@ -40,9 +40,8 @@ void add_nut(Sector& s) {
     for (int node = first; node <= last; ++node) hold(node, Dof::v);
 }
 
-/// Beams from end to end: end element, half a pitch of thread run-out, the pitches between the
-/// teeth, run-out, end element. The contacts of a tooth stand at its middle, or at equal distances
-/// to both sides of it.
+/// Adds beams from end to end: end element, half a pitch of thread run-out, the pitches between the teeth, run-out, end
+/// element. The contacts of a tooth are at its middle, or at equal distances to both sides of it.
 void add_roller(Sector& s) {
   const auto beam = [](const RollerSection<double>& section, double length) {
     return fe::Beam{section.axial, section.bending, section.shear, length};
@@ -91,11 +90,11 @@ void add_guidance(Sector& s) {
   guide(s.roller_end_nodes[3], s.outer_guide);
 }
 
-/// Hertz springs between the rigid arms: N = k_0 <w - g - c N>^1.5 with
-/// screw w = s cos(psi)(u_S - u_R - theta r_R) - sin(psi) v_R,
-/// nut   w = s cos(psi)(u_R - theta r_R - u_N + theta_N y) + sin(psi) (v_R - v_N),
-/// y the radius of the nut's contacts less that of its nodes. Where the contacts of a tooth do not
-/// lie opposite each other, its flank at the screw faces against the load, the other one along it.
+/// Adds Hertz springs between the rigid arms: N = k_0 <w - g - c N>^1.5 with
+///   screw w = s cos(psi)(u_S - u_R - theta r_R) - sin(psi) v_R,
+///   nut   w = s cos(psi)(u_R - theta r_R - u_N + theta_N y) + sin(psi) (v_R - v_N),
+/// y the radius of the nut's contacts less that of its nodes. If the contacts of a tooth do not lie opposite each
+/// other, its flank at the screw faces against the load, the other one along it.
 void add_contacts(Sector& s) {
   const auto roller_node = [&](Interface i, std::size_t k) {
     const bool second = (i == Interface::screw) == (s.sense < 0.0);

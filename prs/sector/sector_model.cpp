@@ -16,7 +16,7 @@ const RefinedEffects& effects_of(const ModelOptions& options) {
   return options.bodies->effects ? options.refined : kNoEffects;
 }
 
-/// What the numbers of a sector are made from.
+/// Inputs from which the numbers of a sector are made.
 struct Given {
   const Mechanism& mechanism;
   const Structure& structure;
@@ -26,14 +26,14 @@ struct Given {
 
   double pitch_radius(Part p) const { return 0.5 * *mechanism.pitch_diameter[p]; }
 
-  /// Depth of the roots below the pitch radius [m]; 0 where sections are taken at the pitch radius.
+  /// Depth of the roots below the pitch radius [m]; 0 if sections are taken at the pitch radius.
   double root_depth(Part p) const {
     if (!effects.core) return 0.0;
     if (mechanism.thread[p]) return mechanism.thread[p]->dedendum;
     const double psi = std::max(laws.screw.normal_angle, laws.nut.normal_angle);
     return default_groove(p == Part::nut, axial_pitch(mechanism), pitch_radius(p), psi, psi).dedendum;
   }
-  /// Outer diameter of what bends and carries axial force in screw and roller [m].
+  /// Outer diameter of the section that bends and carries axial force in screw and roller [m].
   double root_diameter(Part p) const { return *mechanism.pitch_diameter[p] - 2.0 * root_depth(p); }
   /// Diameter of the screw before its first contact [m].
   double plain_screw_diameter() const {
@@ -55,7 +55,7 @@ void set_screw(SectorModel& s, const Given& g) {
                                          g.mechanism.rollers, g.laws.screw.normal_angle);
 }
 
-/// The roller and what holds it radially (Abevi's BC3 and its alternatives).
+/// Sets the roller and its radial guides (Abevi's BC3 and its alternatives).
 void set_roller(SectorModel& s, const Given& g, const ModelOptions& options) {
   const Structure::Roller& roller = g.structure.roller;
   const bool shear = options.roller_shear || g.effects.shear;
@@ -81,7 +81,7 @@ void set_roller(SectorModel& s, const Given& g, const ModelOptions& options) {
     s.contact_half_distance = 0.25 * s.pitch;
 }
 
-/// Inner radius of what carries axial force in a nut of some outer radius.
+/// Inner radius of the section that carries axial force in a nut of some outer radius.
 double nut_root(const Given& g, double depth, double outer_radius) {
   const double radius = g.pitch_radius(Part::nut), wall = outer_radius - radius;
   const double least = kLeastWall * axial_pitch(g.mechanism);

@@ -10,15 +10,15 @@
 
 namespace prs {
 
-/// Stiffness of a support that does not give.
+/// Stiffness of a rigid support.
 inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 
-/// Refined bodies as numbers, before any of them is worked out.
+/// Refined bodies as numbers, before the shells and compliances are computed.
 struct RefinedBodies {
   RefinedNumbers<double> numbers;
   NutLine line;
   NutBore bore;
-  std::vector<int> same;  ///< First segment that is like it, for each segment of the line.
+  std::vector<int> same;  ///< First segment equal to it, for each segment of the line.
   bool has_ring = false;  ///< Whether the thrust section leans on a ring.
   RefinedEffects effects;
 
@@ -26,8 +26,7 @@ struct RefinedBodies {
   NutShape shape() const { return {line.contacts, line.thrust, same, has_ring, effects}; }
 };
 
-/// One roller with its share of screw and nut as numbers, all that a solver of bars or refined
-/// bodies reads.
+/// One roller with its share of screw and nut as numbers: all that a solver of bars or refined bodies reads.
 struct SectorModel : SectorNumbers<double> {
   /// Stretch of the nut with an outer radius of its own. Flanges do not overlap.
   struct Flange {
@@ -41,7 +40,7 @@ struct SectorModel : SectorNumbers<double> {
   std::vector<Flange> flanges;
   bool is_refined = false;
   RefinedBodies bodies;               ///< Bodies of a refined sector.
-  std::optional<NutShell> nut_shell;  ///< In place of the nut's bars.
+  std::optional<NutShell> nut_shell;  ///< Shell in place of the nut's bars.
 
   PerInterface<std::vector<double>> gaps;  ///< Initial gap of each thread along the normal [m].
   /// Compliance of refined bodies in series with each contact, added to `compliance` [m/N]; empty:
@@ -50,7 +49,7 @@ struct SectorModel : SectorNumbers<double> {
 
   int contacts() const { return static_cast<int>(gaps.screw.size()); }
   bool bends() const { return rigid_bending == 0.0; }
-  /// Whether rings guide a roller that bends with a clearance, which the chain does not take.
+  /// Whether the roller bends and rings guide it with a clearance, which the chain solver does not take.
   bool has_loose_guides() const { return bends() && guide_clearance > 0.0; }
   RingGuide ring_guide() const { return {outer_guide, guide_clearance}; }
   bool contacts_apart() const { return contact_half_distance > 0.0; }
@@ -63,61 +62,59 @@ struct SectorModel : SectorNumbers<double> {
   }
 };
 
-/// The sector for one direction of the load and one position of the first contact on the nut,
-/// refined where the options say so (docs/refined.md). The case must have passed `check_case`.
+/// The sector for one direction of the load and one position of the first contact on the nut, refined by the options
+/// (docs/refined.md). The case must have passed `check_case`.
 ///
-/// With `refined.core`, roots lie by the dedendum of `mechanism.thread` from the pitch radius, by
-/// default that of `default_groove`. Where the nut is thin they are less deep: they leave
-/// `kLeastWall`, or half of what lies outside the pitch radius where that is less. The thread of an
-/// inverted screw begins at its first contact, that of a standard one at the loaded section.
+/// With `refined.core`, roots lie by the dedendum of `mechanism.thread` from the pitch radius, by default that of
+/// `default_groove`. In a thin nut they are less deep: they leave `kLeastWall`, or half of the wall outside the pitch
+/// radius if that is less. The thread of an inverted screw begins at its first contact, that of a standard one at the
+/// loaded section.
 SectorModel sector_model(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
                          const ModelOptions& options, const PerInterface<ContactLaw>& laws, Direction direction,
                          double position, const Deviations& deviations = {});
 
-/// The same into a model that keeps its memory, refined bodies left to `work_out`. Laws without a
-/// constant are left to `set_laws`.
+/// Fills a model that keeps its memory; refined bodies are left to `work_out`, laws without a constant to `set_laws`.
 void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Structure& structure,
                       const Materials& materials, const ModelOptions& options, const PerInterface<ContactLaw>& laws,
                       Direction direction, double position, const Deviations& deviations);
 
-/// Replaces the laws of a sector of bars without initial gaps, which nothing else in it depends on.
+/// Replaces the laws of a sector of bars without initial gaps, where nothing else depends on them.
 void set_laws(SectorModel& model, const PerInterface<ContactLawNumbers>& laws);
 
-/// Shells and compliances of refined bodies.
+/// Computes shells and compliances of refined bodies.
 void work_out(SectorModel& model);
 
 /// Nodes at the ends, the flange faces, the thrust section and the contacts.
 NutLine nut_line(const SectorModel& model);
-/// The same into a line that keeps its memory.
+/// Fills a line that keeps its memory.
 void set_nut_line(NutLine& line, const SectorModel& model);
-/// The same with contacts at these places.
+/// Nut line with contacts at these places.
 NutLine nut_line(const SectorModel& model, const std::vector<double>& contact_x);
 
-/// Radii of what carries axial force and bends, as `sector_model` has them [m].
+/// Radii of the sections that carry axial force and bend, as in `sector_model` [m].
 struct BodyRadii {
-  double plain_screw = 0.0;  ///< Before the first contact.
-  double screw = 0.0;        ///< From the first contact on.
-  NutBore nut;               ///< Along a nut line.
+  double plain_screw = 0.0;  ///< Radius before the first contact.
+  double screw = 0.0;        ///< Radius from the first contact on.
+  NutBore nut;               ///< Bore along a nut line.
 };
 BodyRadii body_radii(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
                      const ModelOptions& options, const PerInterface<ContactLaw>& laws, const NutLine& line);
 
-/// What pushes a roller that runs, in the plane of its axis and the screw's, besides the normal
-/// loads of its contacts. x along the axis, y outwards, as the sector has them.
+/// Forces on a running roller, in the plane of its axis and the screw's, besides the normal loads of its contacts. x
+/// along the axis, y outwards, as in the sector.
 struct RollerPush {
-  /// T_x and T_y, friction of each thread on the roller; an equal force acts back on screw or nut
-  /// [N].
+  /// T_x and T_y, friction of each thread on the roller; an equal and opposite force acts on screw or nut [N].
   PerInterface<std::vector<double>> axial, radial;
   bool per_normal_load = false;  ///< Whether these are T over N [-].
-  bool is_trial = false;         ///< Whether it may have no equilibrium: given up early.
+  bool is_trial = false;         ///< Whether it may have no equilibrium, so that the solver gives up early.
   /// m' c Omega^2 of the orbit, outwards, per length of thread and of heads [N/m].
   double of_thread = 0.0, of_heads = 0.0;
 };
 
-// The parts as bodies of revolution that are bounded by the pitch diameters, where a thread is as
-// wide as its groove: what crests add, roots lack, but for the difference of their radii.
+/// Volume and polar moment of volume of a body about its axis. The parts are bodies of revolution bounded by the pitch
+/// diameters, where a thread is as wide as its groove: crests add what roots lack, but for the difference of their
+/// radii.
 
-/// Volume and polar moment of volume of a body about its axis.
 struct RoundBody {
   double volume = 0.0;        ///< [m^3]
   double polar_moment = 0.0;  ///< Integral of r^2 dV [m^5]; times the density, the inertia.
@@ -142,10 +139,10 @@ double envelope_volume(const Structure::Nut& nut);
 /// pi d^2/4 [m^2]
 inline double disc_area(double diameter) { return std::numbers::pi / 4.0 * diameter * diameter; }
 
-/// Between two diameters [m^2].
+/// Area between two diameters [m^2].
 inline double ring_area(double outer, double inner) { return disc_area(outer) - disc_area(inner); }
 
-/// A ring-shaped section, m the inner over the outer diameter (Cowper 1966):
+/// A ring-shaped section with m the inner over the outer diameter (Cowper 1966):
 ///
 ///     I = pi (d_o^4 - d_i^4)/64,   q = (1 + m^2)^2,
 ///     kappa = 6 (1 + nu) q/((7 + 6 nu) q + (20 + 12 nu) m^2)
@@ -161,7 +158,7 @@ inline RollerSection<double> ring_rigidity(const Material& material, double oute
   return r;
 }
 
-/// A full round section.
+/// A solid round section.
 inline RollerSection<double> disc_rigidity(const Material& material, double diameter, bool shear) {
   return ring_rigidity(material, diameter, 0.0, shear);
 }

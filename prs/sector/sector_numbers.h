@@ -4,7 +4,7 @@
 
 namespace prs {
 
-/// What a roller's section resists.
+/// Rigidities of a roller's section.
 template <class Number>
 struct RollerSection {
   Number axial{};    ///< E A [N]
@@ -19,42 +19,42 @@ template <class Number>
 struct SectorNumbers {
   Number rollers{};
   Number sense{};  ///< s, -1 in tension and +1 in compression.
-  Number pitch{};  ///< Between neighbouring contacts [m].
+  Number pitch{};  ///< Distance of neighbouring contacts [m].
 
-  Number plain_screw_rigidity{};  ///< E A from the loaded section to the first contact [N]
-  Number free_length{};           ///< Between these two; 0 where they are one place [m].
+  Number plain_screw_rigidity{};  ///< E A from the loaded section to the first contact [N].
+  Number free_length{};           ///< Distance of these two; 0 if they are the same place [m].
   Number screw_rigidity{};        ///< E A between the contacts [N]
 
-  RollerSection<Number> thread;    ///< Roller between its end elements.
-  RollerSection<Number> end;       ///< Roller's end elements.
+  RollerSection<Number> thread;    ///< Section of the roller between its end elements.
+  RollerSection<Number> end;       ///< Section of the roller's end elements.
   Number end_length{};             ///< [m]
   Number outer_guide{};            ///< Radial stiffness at the outermost nodes; infinite: held [N/m].
-  Number inner_guide{};            ///< At the inner nodes of the end elements [N/m].
-  Number rigid_bending{};          ///< 1 where v = theta = 0 everywhere, else 0.
+  Number inner_guide{};            ///< Radial stiffness at the inner nodes of the end elements [N/m].
+  Number rigid_bending{};          ///< 1 if v = theta = 0 everywhere, else 0.
   Number roller_radius{};          ///< Rigid arms of the contacts [m].
-  Number contact_half_distance{};  ///< Half the distance of a tooth's two contacts, along x [m].
+  Number contact_half_distance{};  ///< Half the distance along x of a tooth's two contacts [m].
 
   Number nut_rigidity{};  ///< E A between the flanges [N]
   Number nut_length{};    ///< [m]
-  Number thrust{};        ///< Held section [m].
-  Number position{};      ///< First contact [m].
+  Number thrust{};        ///< Position of the held section [m].
+  Number position{};      ///< Position of the first contact [m].
 
   PerInterface<Number> hertz_constant;  ///< k_0 [N/m^1.5]
   PerInterface<Number> cosine, sine;    ///< cos(psi), sin(psi).
-  PerInterface<Number> compliance;      ///< Teeth, in series with the contact [m/N].
-  /// Axial displacement of the loaded section per load on one roller that the contacts do not feel,
-  /// as Poisson's contraction gives it [m/N].
+  PerInterface<Number> compliance;      ///< Compliance of the teeth, in series with the contact [m/N].
+  /// Axial displacement of the loaded section per load on one roller that does not act on the contacts, due to
+  /// Poisson's contraction [m/N].
   Number offset_compliance{};
 };
 
-/// What refined bodies are made of, beyond a sector's numbers.
+/// Dimensions from which refined bodies are computed, beyond a sector's numbers.
 template <class Number>
 struct RefinedNumbers {
   PerPart<contact::ElasticityOf<Number>> material;
   Number screw_radius{};      ///< Pitch radius of the screw [m].
   Number screw_bore{};        ///< Radius of its bore [m].
   Number nut_pitch_radius{};  ///< [m]
-  Number ring_inner{};        ///< Radii of the ring that the thrust section leans on; 0 without [m].
+  Number ring_inner{};        ///< Radii of the ring that the thrust section leans on; 0 without a ring [m].
   Number ring_outer{};
 };
 

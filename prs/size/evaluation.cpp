@@ -9,19 +9,19 @@ namespace prs {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kPasses = 1.0 - 1e-9;  ///< Least margin, up to rounding.
+constexpr double kPasses = 1.0 - 1e-9;  ///< Smallest passing margin, up to rounding.
 constexpr double kInchPerSecond = 0.0254;
 constexpr double kHour = 3600.0, kKelvin = 273.15;
-constexpr double kOilsMean = 20.0;      ///< Difference of the oil's temperature worth a note [K].
-constexpr double kGreaseEnds = 393.15;  ///< Grease and seals do not last beyond [K].
-constexpr double kLongCycle = 600.0;    ///< Cycle whose mean hides a peak of temperature [s].
-constexpr double kRegularLoad = 0.9;    ///< Share of C_a: makers allow more only now and then.
-constexpr double kShortStroke = 1.5;    ///< Share of the nut's length.
+constexpr double kOilsMean = 20.0;      ///< Smallest difference of the oil's temperature that is noted [K].
+constexpr double kGreaseEnds = 393.15;  ///< Temperature beyond which grease and seals do not last [K].
+constexpr double kLongCycle = 600.0;    ///< Shortest cycle whose mean may hide a peak of temperature [s].
+constexpr double kRegularLoad = 0.9;    ///< Share of C_a beyond which makers allow loads only occasionally.
+constexpr double kShortStroke = 1.5;    ///< Short stroke, as a share of the nut's length.
 constexpr std::size_t kCurvePoints = 40;
 
-/// What friction makes of one load case.
+/// Losses of one load case.
 struct Branch : SizedSegment {
-  std::optional<OfParts> heat;  ///< [W]; not of a catalogue's efficiencies.
+  std::optional<OfParts> heat;  ///< Heat of the parts [W]; not for a catalogue's efficiencies.
 };
 
 Branch branch_by_slip(const LoadCaseResult& r, double lead) {
@@ -63,7 +63,7 @@ ThermalNetwork network_of(const Requirement& r, const SizedCandidate& c) {
   return thermal_network({.ambient = r.heat->ambient, .conductance = c.conductance});
 }
 
-/// The parts of one candidate's evaluation, each on what those before it found.
+/// Evaluation of one candidate in steps, each with the results of those before it.
 class Evaluation {
  public:
   Evaluation(const SizeInput& in, const CandidateData& data)
@@ -158,7 +158,7 @@ class Evaluation {
                              "place, if it prints one"});
   }
 
-  /// Finds the stiffness of the load case with the largest force, at rest, in series with the shaft.
+  /// Computes the stiffness under the load case with the largest force, at rest, in series with the shaft.
   void find_stiffness() {
     std::size_t largest = sized_.back_driving();
     for (std::size_t k = 0; k < sized_.back_driving(); ++k)
@@ -179,7 +179,7 @@ class Evaluation {
     for (const MotionSegment& s : cycle_.all) {
       const Branch& b = branches_[s.shown_as];
       if (!b.driven_by || s.force == 0.0) continue;
-      // Of its losses a branch has so many times as much [s].
+      // Time for which the losses of the branch do the work of this segment [s].
       const MotionSegment& of = cycle_.shown[s.shown_as];
       const double weight = s.work() / of.work() * of.duration;
       has_losses = has_losses && b.power_loss;
@@ -198,7 +198,7 @@ class Evaluation {
     if (has_heat) c_.temperature = per_part(network_of(r_, c_).steady(heat / cycle_.duration));
   }
 
-  /// Losses, and what follows, of parts at the temperatures that they lead to.
+  /// Computes losses, and all that follows, with parts at the temperatures that the losses cause.
   void warm_parts() {
     constexpr int kMostSteps = 10;
     constexpr double kSame = 0.01;  ///< [K]
@@ -250,17 +250,17 @@ class Evaluation {
     if (factor > 0.0) c_.relubrication = 4500.0 * kHour * std::pow(cycle_.rms_speed / kInchPerSecond, -1.57) * factor;
   }
 
-  // The verdict
+  // Verdict
 
   struct Given {
-    std::optional<double> value, limit;          ///< SI, temperatures in degC.
-    std::string_view not_applicable = {};        ///< Why; empty: it applies.
-    std::string_view not_computed = "no value";  ///< Why, where there is none.
+    std::optional<double> value, limit;          ///< SI values, temperatures in degC.
+    std::string_view not_applicable = {};        ///< Reason why it does not apply; empty: it does.
+    std::string_view not_computed = "no value";  ///< Reason why it is missing.
     std::string reason = {};
   };
 
-  /// A criterion with a limit. A value that must reach it has the margin value/limit, one that must
-  /// not pass it limit/value, both counted from `zero`.
+  /// Adds a criterion with a limit. A value with a lower limit has the margin value/limit, one with an upper limit has
+  /// limit/value, both counted from `zero`.
   void add(std::string_view name, std::string_view unit, bool must_reach, Given g, double zero = 0.0) {
     if (!g.limit) return;
     const double factor = unit_written(unit).factor;
@@ -365,7 +365,7 @@ class Evaluation {
   }
 
   bool by_maker() const { return c_.life_basis == Requirement::Basis::maker; }
-  /// C_a of the life that counts [N].
+  /// C_a of the life that is compared [N].
   double capacity() const { return c_.rated_dynamic_capacity.value_or(*c_.by_threads.capacity); }
 
   void warn() {
@@ -445,8 +445,8 @@ class Evaluation {
   double lead_ = 0.0;    ///< |l| [m]
   double rating_ = 1.0;  ///< a1 a_ISO
   Measures measures_;
-  std::vector<Branch> branches_;  ///< Branches of the segments that are shown.
-  bool drives_ = false;           ///< The screw, in some segment.
+  std::vector<Branch> branches_;  ///< Branches of the shown segments.
+  bool drives_ = false;           ///< Whether the screw drives in any segment.
   SizedCandidate c_;
 };
 
@@ -456,7 +456,7 @@ SizedCandidate evaluated(const SizeInput& in, const CandidateData& data) { retur
 
 namespace {
 
-/// Mean load of the cycle at which a limit of its mean is just met, where the candidate has the criterion [N].
+/// Mean load of the cycle at which a limit of its mean is just reached, if the candidate has the criterion [N].
 std::optional<double> allowed_mean_load(const SizedCandidate& c, std::string_view limit, double mean_load) {
   const std::string_view name = limit == "motor_rated" ? "motor_torque" : limit;
   if (name == "static" || name == "buckling") return std::nullopt;
@@ -504,7 +504,7 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
       limits.emplace_back("static", *c.static_safety * in.cycle.largest_force / *r.limits.static_safety);
     if (c.buckling_safety) limits.emplace_back("buckling", *c.buckling_load / *r.limits.buckling_safety);
     if (c.life.revolutions && (r.life.hours || r.life.distance)) {
-      // C_e (a1 a_ISO 10^6/L(v))^(1/3) with the C_e that has this life under F_m.
+      // C_e (a1 a_ISO 10^6/L(v))^(1/3) with C_e from this life under F_m.
       const double turns = (r.life.hours ? *r.life.hours * v : *r.life.distance) / lead;
       limits.emplace_back("life", force * std::cbrt(*c.life.revolutions / turns));
     }

@@ -184,7 +184,7 @@ void fields(const Fields& io, Requirement::Life& l) {
   io("basis", l.basis, Choice{}, "What life and static safety rest on");
 }
 
-/// The keys of a block of a case but some.
+/// Keys of a block of a case without some.
 template <class T>
 void fields_without(const Fields& io, T& block, std::initializer_list<std::string_view> keys) {
   const Fields::Take take = [&](const Field& field) {
@@ -272,7 +272,7 @@ namespace {
 
 Value description(Requirement& r) { return value_of(r, Block{}); }
 
-/// Puts the defaults that depend on what the file has.
+/// Sets the defaults that depend on other values of the file.
 void complete(Requirement& r) {
   if (!r.friction) r.friction = friction_by(contact::Coulomb{at_both(kFlankFriction)});
   if (!r.lubricant) {
@@ -286,7 +286,7 @@ void complete(Requirement& r) {
   if (!r.life.basis) r.life.basis = r.candidates.designs ? Requirement::Basis::threads : Requirement::Basis::maker;
 }
 
-/// What values contradict.
+/// Checks contradictions between values.
 class Checker {
  public:
   Checker(const Requirement& r, const Node& root, ErrorList& errors) : r_(r), root_(root), errors_(errors) {}
@@ -305,7 +305,7 @@ class Checker {
     check_candidates();
   }
 
-  /// What stands in the way of its forces and names.
+  /// Checks its forces and names.
   void check(const MotionCycle& cycle) {
     const Requirement::Motion& m = r_.motion;
     const std::string_view form = m.segments ? "motion.segments" : m.loads ? "motion.loads" : "motion.history";
@@ -397,7 +397,7 @@ class Checker {
   ErrorList& errors_;
 };
 
-/// Problems of the blocks that a case would have.
+/// Adds problems of the blocks that a case would have.
 void check_blocks(const Requirement& r, const Node& root, ErrorList& errors) {
   Case c = complete_screw({.screw_diameter = 30e-3, .lead = 10e-3, .starts = 5}).c;
   c.load_cases = {{.name = "a", .axial_force = 1e3, .direction = Direction::tension, .position = 0.01}};
@@ -416,7 +416,7 @@ std::vector<MotionSegment> history_segments(const Requirement::History& h, const
                                     {"force", &h.force, &unit::force, &f}};
   read_columns(named_file_text(h.file, kHistoryFile, source), name_in_messages(h.file, source), "motion.history",
                columns, source);
-  constexpr double kRounding = 1e-9;  // Of the largest speed: what a simulation leaves of zero.
+  constexpr double kRounding = 1e-9;  // Speed, as a share of the largest, that counts as zero in simulated data.
   double largest = 0.0;
   for (const double speed : v) largest = std::max(largest, std::abs(speed));
   for (double& speed : v)
@@ -517,8 +517,8 @@ nlohmann::ordered_json resolved_requirement(const input::Source& source) {
 namespace {
 
 constexpr double kGravity = 9.80665;  // [m/s^2]
-constexpr double kEqual = 1e-9;       ///< Share by which equal numbers may differ by rounding.
-constexpr double kNoForce = 1e-6;     ///< Share of the largest that counts as 0.
+constexpr double kEqual = 1e-9;       ///< Largest relative difference of equal numbers, by rounding.
+constexpr double kNoForce = 1e-6;     ///< Force, as a share of the largest, that counts as 0.
 constexpr std::size_t kMostShown = 60;
 constexpr int kForceSteps = 12, kSpeedSteps = 8;
 
@@ -555,16 +555,15 @@ void set_forces(std::vector<MotionSegment>& all, const Requirement::Load& load) 
 
 int sign(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
-/// Step of a value, from 1; an upper border belongs to its step.
+/// Number of a value's step, from 1; an upper border belongs to its step.
 int step(double value, double largest, int steps) {
   if (!(largest > 0.0)) return 0;
   return static_cast<int>(std::ceil(value / largest * steps - kEqual));
 }
 
-/// Many segments in few classes, each with its cubic mean force by travel, at rest by time, and its
-/// mean speed.
+/// Puts many segments into few classes, each with its cubic mean force by travel, at rest by time, and its mean speed.
 void put_into_classes(MotionCycle& c) {
-  std::map<int, double> of_force;  // Largest by the sense of force.
+  std::map<int, double> of_force;  // Largest forces by their sense.
   for (const MotionSegment& s : c.all) of_force[sign(s.force)] = std::max(of_force[sign(s.force)], std::abs(s.force));
   std::map<std::tuple<int, int, int, int>, std::size_t> known;
   std::vector<double> cubes;
@@ -593,7 +592,7 @@ void put_into_classes(MotionCycle& c) {
   }
 }
 
-/// Way between the extreme positions of segments with forces above `least` [N].
+/// Distance between the extreme positions of segments with forces above `least` [N].
 double loaded_way(const std::vector<MotionSegment>& segments, double least) {
   double at = 0.0, lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const MotionSegment& s : segments) {

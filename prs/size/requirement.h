@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// Values of a dimension of designs: a list, or those of a range.
+/// Values of a dimension of designs: a list or a range.
 struct DesignValues {
   enum class Series { R5, R10, R20, R40 };  ///< Preferred numbers of ISO 3.
   struct Span {
@@ -15,24 +15,24 @@ struct DesignValues {
     std::optional<Series> series;
   };
   std::vector<double> list;
-  std::optional<Span> span;  ///< In place of the list.
+  std::optional<Span> span;  ///< Range, in place of the list.
 
-  /// All of them, ends included; a series counts in mm.
+  /// All values, ends included; a series counts in mm.
   std::vector<double> values() const;
 };
 
-/// What a screw, its motor and its brake shall do, and what may be chosen from. SI units. Members
-/// that are absent once a file is read have no default: there is no such criterion.
+/// Requirements on a screw, its motor and its brake, and the range of choice. SI units. Members that are absent after a
+/// file is read have no default: there is no such criterion.
 struct Requirement {
   struct Segment {
     std::optional<std::string> name;
     double duration = 0.0;   ///< [s]
     double end_speed = 0.0;  ///< [m/s]
-    double force = 0.0;      ///< External [N], > 0 against the positive sense.
+    double force = 0.0;      ///< External force [N], > 0 against the positive sense.
   };
   struct ConstantLoad {
     std::optional<std::string> name;
-    double force = 0.0;  ///< As of a segment [N].
+    double force = 0.0;  ///< Force as in a segment [N].
     double speed = 0.0;  ///< [m/s]
     double share = 0.0;  ///< Share of the period.
   };
@@ -49,10 +49,10 @@ struct Requirement {
   };
   struct Load {
     double moved_mass = 0.0;   ///< [kg]
-    double inclination = 0.0;  ///< [rad], > 0: the positive sense goes up.
+    double inclination = 0.0;  ///< Angle [rad], > 0: the positive sense is upwards.
     double guide_friction = 0.0;
-    double resistance = 0.0;   ///< Against the motion [N].
-    double drag_torque = 0.0;  ///< Against the motion, at the part that turns [N m].
+    double resistance = 0.0;   ///< Force against the motion [N].
+    double drag_torque = 0.0;  ///< Torque against the motion, at the turning part [N m].
     std::optional<Direction> positive_force;
   };
   struct Measures : MeasureOptions {
@@ -62,18 +62,18 @@ struct Requirement {
     }
   };
   struct Shaft {
-    std::optional<double> length;  ///< Between its supports [m].
+    std::optional<double> length;  ///< Length between its supports [m].
     MeasureOptions::Ends ends = MeasureOptions::Ends::fixed_supported;
   };
   enum class Basis { maker, threads };
   struct Life {
     std::optional<double> hours;     ///< Clock time [s].
-    std::optional<double> distance;  ///< In place of hours [m].
+    std::optional<double> distance;  ///< Distance in place of hours [m].
     double reliability = 0.90;
     double modification_factor = 1.0;
-    std::optional<Basis> basis;  ///< `maker` where a catalogue alone is ranked, else `threads`.
+    std::optional<Basis> basis;  ///< `maker` if only a catalogue is ranked, else `threads`.
   };
-  /// Makers ask for a static safety of 1 to 3, more under shock; catalogues allow half of the
+  /// Limits by default: makers ask for a static safety of 1 to 3, more under shock; catalogues allow half of the
   /// buckling load, 80 % of the critical speed and n d up to 150,000 mm/min.
   struct Limits : prs::Limits {
     Limits() {
@@ -83,25 +83,25 @@ struct Requirement {
       speed_times_diameter = 2.5;
     }
     BackDriving back_driving = BackDriving::allowed;
-    std::optional<double> relubrication;  ///< Least interval [s].
+    std::optional<double> relubrication;  ///< Shortest interval [s].
   };
   enum class Losses { slip, catalogue };
-  /// Those that are given; the others follow by the rule of `prs new` [W/K].
+  /// Stated conductances; others follow by the rule of `prs new` [W/K].
   struct Conductance {
     std::optional<double> screw_ambient, nut_ambient, rollers_ambient, screw_rollers, rollers_nut;
   };
   struct Relubrication {
     double static_load_factor = 0.0;
-    double peak_force = 0.0;  ///< Printed, of the actuator [N].
+    double peak_force = 0.0;  ///< Printed peak force of the actuator [N].
   };
   struct Designs {
     std::vector<Mechanism::Type> type{Mechanism::Type::standard};
     DesignValues screw_diameter, lead;
-    std::optional<DesignValues> starts;  ///< By the rule of `prs new` where absent.
+    std::optional<DesignValues> starts;  ///< By the rule of `prs new` if absent.
   };
   struct Candidates {
-    std::optional<std::string> catalogue;  ///< Its file.
-    std::optional<Designs> designs;        ///< Without either: the catalogue of the program.
+    std::optional<std::string> catalogue;  ///< Path of its file.
+    std::optional<Designs> designs;        ///< Designs; without these and a file: the catalogue of the program.
   };
   enum class Objective { weight, nut_diameter, life, motor_torque, power_lost };
 
@@ -113,7 +113,7 @@ struct Requirement {
   Life life;
   Limits limits;
   DriveMotor motor;
-  std::optional<double> brake_torque;  ///< At the motor's shaft [N m].
+  std::optional<double> brake_torque;  ///< Torque at the motor's shaft [N m].
   Losses losses = Losses::slip;
   ModelOptions::Loads loads = ModelOptions::Loads::running;
   std::optional<Friction> friction;
@@ -124,7 +124,7 @@ struct Requirement {
     double ambient = 298.15;  ///< [K]
     Conductance conductance;
   };
-  std::optional<Surroundings> heat;  ///< Without it no temperature is known.
+  std::optional<Surroundings> heat;  ///< Surroundings, without which no temperature is known.
   std::optional<Relubrication> relubrication;
   Candidates candidates;
   Objective objective = Objective::weight;
@@ -135,12 +135,12 @@ constexpr std::string_view name(Requirement::Basis basis) {
 }
 std::string name(Requirement::Objective objective);
 
-/// One constant acceleration, or a class of many samples. SI units.
+/// One segment of constant acceleration, or a class of many samples. SI units.
 struct MotionSegment {
   std::string name;
   double duration = 0.0, start_speed = 0.0, end_speed = 0.0, external_force = 0.0;
-  double force = 0.0;                     ///< Axial, on the screw, > 0 where it pushes in the positive sense.
-  std::size_t shown_as = 0;               ///< Index among those that are shown; in classes that of its class.
+  double force = 0.0;                     ///< Axial force on the screw, > 0 if it pushes in the positive sense.
+  std::size_t shown_as = 0;               ///< Index among the shown segments; for classes that of the class.
   std::optional<double> own_travel = {};  ///< Travel of a class.
 
   double acceleration() const { return (end_speed - start_speed) / duration; }
@@ -152,22 +152,22 @@ struct MotionSegment {
   DrivenBy driven_by() const { return force * sense() < 0.0 ? DrivenBy::load : DrivenBy::screw; }
 };
 
-/// One cycle of the axis, which no candidate changes. SI units.
+/// One cycle of the axis, the same for all candidates. SI units.
 struct MotionCycle {
-  std::vector<MotionSegment> all;    ///< Cut where the speed changes its sign.
-  std::vector<MotionSegment> shown;  ///< The same, or classes of many.
+  std::vector<MotionSegment> all;    ///< All segments, cut where the speed changes its sign.
+  std::vector<MotionSegment> shown;  ///< Shown segments: all, or classes of many.
   bool in_classes = false;
 
   double duration = 0.0, moving = 0.0;          ///< [s]
   double travel = 0.0, loaded_travel = 0.0;     ///< Travel in both senses [m].
-  double way = 0.0;                             ///< Between the extreme positions [m].
-  double loaded_way = 0.0;                      ///< The same under more than half of the mean load [m].
-  std::optional<double> mean_load, mean_speed;  ///< None where nothing moves under force.
+  double way = 0.0;                             ///< Distance between the extreme positions [m].
+  double loaded_way = 0.0;                      ///< Distance under more than half of the mean load [m].
+  std::optional<double> mean_load, mean_speed;  ///< Absent if nothing moves under force.
   double largest_force = 0.0, largest_speed = 0.0, rms_speed = 0.0;
   double largest_sign = 1.0;         ///< Sign of the largest force.
-  double holding_force = 0.0;        ///< Largest at rest, else the weight along the axis [N].
+  double holding_force = 0.0;        ///< Largest force at rest, else the weight along the axis [N].
   double largest_compression = 0.0;  ///< Largest force that compresses the screw, for buckling [N].
-  bool closed = true;                ///< Ends with the speed that it began with.
+  bool closed = true;                ///< Whether it ends with its initial speed.
 
   bool moves() const { return largest_speed > 0.0; }
   /// Speed of the load case `back-driving` [m/s] and its force [N].
@@ -175,12 +175,12 @@ struct MotionCycle {
   double driving_force() const { return mean_load.value_or(largest_force); }
 };
 
-/// A requirement as it was read, with its defaults in place.
+/// A requirement as it was read, with its defaults filled in.
 struct SizeInput {
   input::Source source;
   Requirement values;
   MotionCycle cycle;
-  std::vector<input::EchoEntry> fields;  ///< Every value.
+  std::vector<input::EchoEntry> fields;  ///< Entry of every value.
   std::vector<Warning> warnings;
 };
 
@@ -188,16 +188,15 @@ struct SizeInput {
 inline constexpr std::string_view kHistoryFile = "motion.history.file";
 inline constexpr std::string_view kCatalogueFile = "candidates.catalogue.file";
 
-/// The sense of the axial force F of the cycle as the case has it.
+/// Sense of the cycle's axial force F in a case.
 Direction direction_of(const Requirement& r, double force);
 
 /// Segments cut where the speed changes its sign, with their axial forces on the screw
 ///
 ///     F = m a + m g sin(theta) + sgn (mu m g |cos(theta)| + f) + F_ext,    at rest sgn = 0
 ///
-/// (THK general catalogue, axial loads), and what follows from them: the cubic mean load over
-/// travel, speeds, the holding force. More than 60 are put into classes by senses, 12 steps of
-/// force and 8 of speed.
+/// (THK general catalogue, axial loads), and values that follow from them: the cubic mean load over travel, speeds, the
+/// holding force. More than 60 are combined in classes by senses, 12 steps of force and 8 of speed.
 MotionCycle cycle_of(std::vector<MotionSegment> segments, const Requirement& r);
 
 /// Reads and checks a requirement. Throws InputError.
@@ -206,7 +205,7 @@ SizeInput read_requirement(const input::Source& source);
 /// Texts of the files that a requirement names: history and catalogue.
 std::vector<std::string> requirement_files(const input::Source& source);
 
-/// Every key of a requirement, as `schema` of a case.
+/// Every key of a requirement, like `schema` for a case.
 nlohmann::ordered_json requirement_schema();
 /// The requirement with overrides and defaults in place. Throws InputError.
 nlohmann::ordered_json resolved_requirement(const input::Source& source);

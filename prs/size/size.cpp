@@ -13,16 +13,16 @@ namespace prs {
 namespace {
 
 constexpr double kAlike = 1e-9;
-constexpr std::size_t kChunk = 8;  ///< Candidates that a thread takes at once.
+constexpr std::size_t kChunk = 8;  ///< Number of candidates that a thread takes at once.
 
-/// What each objective has of a candidate: less is better; absent last.
+/// Objectives of a candidate, to be minimised; absent ones are last.
 std::array<double, 5> objectives_of(const SizedCandidate& c) {
   constexpr double kLast = std::numeric_limits<double>::infinity();
   return {c.weight.value_or(kLast), c.nut_diameter, -c.life.travel.value_or(-kLast), c.motor_rms_torque.value_or(kLast),
           c.power_lost.value_or(kLast)};
 }
 
-/// -1 where a is less, 1 where it is more, by more than rounding; both may be infinite.
+/// -1 if a is smaller, 1 if it is larger, by more than rounding; both may be infinite.
 int compared(double a, double b) {
   const double rounding = kAlike * std::max(std::abs(a), std::abs(b));
   if (a == b || (std::isfinite(rounding) && std::abs(a - b) <= rounding)) return 0;
@@ -46,7 +46,7 @@ bool comes_before(const SizedCandidate& a, const SizedCandidate& b, Requirement:
   return a.order < b.order;
 }
 
-/// Marks those that no other beats: `all` stand by rank.
+/// Marks candidates that no other dominates: `all` are sorted by rank.
 void mark_pareto(std::vector<SizedCandidate>& all) {
   std::vector<std::pair<std::array<double, 5>, SizedCandidate*>> passing;
   for (SizedCandidate& c : all)
@@ -59,7 +59,7 @@ void mark_pareto(std::vector<SizedCandidate>& all) {
     }
     return better;
   };
-  // What is beaten is beaten by a member of the front that stands before it in this order.
+  // In this order a dominated candidate has a dominating member of the front before it.
   std::ranges::stable_sort(passing, {}, [](const auto& p) { return p.first; });
   std::vector<const std::array<double, 5>*> front;
   for (const auto& own : passing) {
@@ -165,12 +165,12 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
 namespace {
 
 constexpr std::size_t kMostCandidates = 100'000;
-constexpr double kNoTravel = 1e-3;  ///< Stands for the travel where nothing moves under load [m].
+constexpr double kNoTravel = 1e-3;  ///< Travel used if nothing moves under load [m].
 /// The maker's series, see validation/standard_screws/SOURCE.md.
 constexpr std::string_view kStandardScrews = "SRS-C, standard_screws.csv";
 
 constexpr std::string_view kNeededColumns[] = {"screw_diameter_mm", "lead_mm", "starts"};
-/// Those behind `type` are shown and not used.
+/// Columns after `type` are shown and not used.
 constexpr std::string_view kOtherColumns =
     " rollers nut_diameter_mm nut_length_mm dynamic_capacity_kN static_capacity_kN efficiency "
     "back_driving_efficiency name screw maker type nut_and_rollers_kg screw_kg_per_m "
@@ -227,7 +227,7 @@ class CatalogueReader {
     }
   }
 
-  /// Headings as makers print them.
+  /// Reads headings as makers print them.
   void read_makers_headings(std::vector<Warning>& warnings) {
     constexpr std::pair<std::string_view, std::string_view> kHeadings[] = {{"d0", "screw_diameter_mm"},
                                                                            {"Ph", "lead_mm"},
@@ -262,7 +262,7 @@ class CatalogueReader {
     }
   }
 
-  /// Makers' static capacities are twice the dynamic ones: a smaller one is a slip of the columns.
+  /// Warns of static capacities below the dynamic ones: makers' are twice as large, so that columns may be swapped.
   void warn_of_capacities(const std::vector<CandidateData>& rows, std::vector<Warning>& warnings) const {
     const auto is_smaller = [](const CandidateData& c) { return c.static_capacity < c.dynamic_capacity; };
     const auto first = std::ranges::find_if(
@@ -276,9 +276,10 @@ class CatalogueReader {
             .with(*first->static_capacity, *first->dynamic_capacity, text_unit::kilonewton));
   }
 
-  /// In kN, below what no screw of steel bears; a number of N is a thousand times as much.
+  /// Capacity from a number in kN, below the strength of any steel screw; a number in N would be a thousand times as
+  /// large.
   std::optional<double> capacity(std::string_view column, double screw_diameter) const {
-    constexpr double kMostStress = 2e9;  ///< In the screw's section [Pa].
+    constexpr double kMostStress = 2e9;  ///< Stress in the screw's section [Pa].
     const std::optional<double> force = number(column, 1e-3);
     const double most = kMostStress * disc_area(screw_diameter);
     if (force && *force > most)
@@ -292,13 +293,13 @@ class CatalogueReader {
   std::size_t place_of(std::string_view column) const {
     return static_cast<std::size_t>(std::ranges::find(heading_, column) - heading_.begin());
   }
-  /// Empty where it is absent or not printed.
+  /// Text of a cell; empty if absent or not printed.
   std::string_view text(std::string_view column) const {
     const std::size_t place = place_of(column);
     const auto& fields = reader_.fields();
     return place < fields.size() && fields[place] != "-" ? fields[place] : std::string_view();
   }
-  /// Above 0; a lead of a left-handed screw below it.
+  /// Number of a cell, above 0; the lead of a left-handed screw is below 0.
   std::optional<double> number(std::string_view column, double per_si = 1.0) const {
     const std::string_view field = text(column);
     const std::size_t place = place_of(column);
@@ -353,7 +354,7 @@ class CatalogueReader {
 
 std::string size_name(double diameter, double lead) { return fmt::format("{:.6g}x{:.6g}", 1e3 * diameter, 1e3 * lead); }
 
-/// The first of one name keeps it; others are told apart by their numbers.
+/// Makes names unique: the first keeps a common name, others get their numbers.
 void name_apart(std::vector<CandidateData>& all) {
   std::set<std::string> taken;
   for (CandidateData& c : all) {
@@ -391,7 +392,7 @@ void add_designs(const Requirement::Designs& d, const input::Source& source, std
         }
 }
 
-/// The screw of a candidate as its written case has it.
+/// Screw of a candidate as in its written case.
 CompleteScrew screw_of(const CandidateData& candidate, const std::optional<double>& stroke) {
   CompleteScrew screw = complete_screw(candidate.screw);
   if (candidate.screw.type == Mechanism::Type::inverted && stroke) {
@@ -418,10 +419,10 @@ double shaft_length(const Requirement& r, const CompleteScrew& s) {
   return (s.data.type == Mechanism::Type::standard ? *r.stroke : 0.0) + nut + 2.0 * d;
 }
 
-/// To the digits that a written case has.
+/// Value rounded to the digits of a written case.
 double rounded(double value) { return input::parse_number(fmt::format("{:.12g}", value)).value_or(value); }
 
-/// `speed` along the axis; a case counts it > 0 with tension where the screw drives.
+/// `speed` along the axis; a case counts it > 0 in tension if the screw drives.
 LoadCase load_case(const SizeInput& in, const CompleteScrew& s, std::string_view name, double force, double speed) {
   const Direction direction = direction_of(in.values, force);
   const bool as_in_case = (force > 0.0) == (direction == Direction::tension);
@@ -508,7 +509,7 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
 
 namespace {
 
-/// The block `heat` with the cycle as its duty: of a class the time in which its mean force has the work of its
+/// The block `heat` with the cycle as its duty: for a class the time in which its mean force does the work of its
 /// samples.
 Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& k) {
   Heat heat{.ambient = in.values.heat.value_or(Requirement::Surroundings{}).ambient, .conductance = k};
@@ -529,7 +530,7 @@ Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Cond
   return heat;
 }
 
-/// The block `motor`: every segment with its own force, and the friction of the load case that it belongs to.
+/// The block `motor`: every segment with its own force, and the friction of its load case.
 MotorDuty motor_duty(const SizeInput& in, const SizedCase& sized) {
   const Requirement& r = in.values;
   MotorDuty duty{.motor = r.motor,
@@ -547,7 +548,7 @@ MotorDuty motor_duty(const SizeInput& in, const SizedCase& sized) {
   return duty;
 }
 
-/// Limits of the requirement that a case can have.
+/// Limits of the requirement that a case also has.
 Limits limits_of(const SizeInput& in) {
   const Requirement::Life& life = in.values.life;
   Limits limits = in.values.limits;
@@ -560,12 +561,12 @@ Limits limits_of(const SizeInput& in) {
 
 namespace {
 
-/// Lines of a written case, which say what the requirement leaves to its defaults.
+/// Lines of a written case, with remarks on defaults of the requirement.
 class WrittenLines {
  public:
   explicit WrittenLines(const SizeInput& in) : fields_(in.fields) {}
 
-  /// What is the case's default too is left out.
+  /// Block without values that are also the case's defaults.
   std::string block(std::string_view key, const input::Value& block, const input::Value& by_default) const {
     std::map<std::string, std::string, std::less<>> defaults;
     input::block_text(key, by_default, [&](std::string_view name, const std::string& text) {
@@ -581,7 +582,7 @@ class WrittenLines {
                              });
   }
 
-  /// `KEY: TEXT`
+  /// Line `KEY: TEXT`.
   std::string line(std::string_view key, const std::string& text, const std::string& path) const {
     const std::string comment = remark(path, text);
     return fmt::format("{}: {}{}{}\n", key, text, comment.empty() ? "" : "  # ", comment);
@@ -599,7 +600,8 @@ class WrittenLines {
   std::string remark(const std::string& path, const std::string& text) const {
     if (path == "life.position") return fmt::format("assumed {}: rollers in the middle of the nut", text);
     if (is_stated(path) || !has(path, true)) return {};
-    const std::size_t stroke = path == "measures.shaft" ? text.find(", stroke: ") : text.npos;  // The motion's.
+    // The stroke belongs to the motion.
+    const std::size_t stroke = path == "measures.shaft" ? text.find(", stroke: ") : text.npos;
     return fmt::format("assumed {}: default of `prs size`", stroke == text.npos ? text : text.substr(0, stroke) + "}");
   }
 

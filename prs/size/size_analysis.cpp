@@ -292,7 +292,7 @@ Json outline_of(const SizeResult& result, const DocumentInfo& info) {
   return document;
 }
 
-/// What a requirement says, and how many screws it chooses from.
+/// Summary of a requirement and the number of candidate screws.
 Delivery checked(const input::Source& source) {
   const auto in = std::make_shared<const SizeInput>(read_requirement(source));
   auto warnings = in->warnings;
@@ -367,9 +367,9 @@ const OtherFile& size_file() {
 
 namespace {
 
-constexpr std::size_t kCompared = 5;  ///< Candidates whose margins stand side by side.
+constexpr std::size_t kCompared = 5;  ///< Number of candidates whose margins are shown side by side.
 
-/// Passing candidates over diameter and lead in the colour of what limits them, failing ones grey.
+/// Passing candidates over diameter and lead in the colour of their limiting criterion, failing ones grey.
 Figures map(const SizeResult& r) {
   Figure figure{"size_map", "Candidates"};
   figure.x = {"Screw diameter", "mm"};
@@ -398,8 +398,8 @@ Figures map(const SizeResult& r) {
   return {std::move(figure)};
 }
 
-/// Forces that a candidate carries over the speed, and those that the motion asks for: single ones below the lines of
-/// strength and peak torque, their mean below that of the cycle.
+/// Forces that a candidate carries over the speed, and forces of the motion: single ones below the lines of strength
+/// and peak torque, their mean below that of the cycle.
 Figures curve(const SizeResult& r) {
   if (!r.curve) return {};
   const SizeCurve& c = *r.curve;
@@ -410,7 +410,7 @@ Figures curve(const SizeResult& r) {
   figure.aspect = 0.7;
   Panel panel;
   Range range;
-  double single = std::numeric_limits<double>::infinity();  ///< Least limit of a single force [kN].
+  double single = std::numeric_limits<double>::infinity();  ///< Smallest limit of a single force [kN].
   constexpr std::string_view kInCycle = "_in_cycle";
   for (const auto& [limit, forces] : c.force) {
     const bool in_cycle = limit.ends_with(kInCycle);
@@ -445,13 +445,14 @@ Figures curve(const SizeResult& r) {
     panel.series.push_back(std::move(mean));
   }
   const double largest = per_si::kilonewton * cycle.largest_force;
-  range.include(std::max(1.2 * largest, std::min(1.1 * single, 3.0 * largest)));  // Lines far above press the others.
+  // Lines far above would compress the others.
+  range.include(std::max(1.2 * largest, std::min(1.1 * single, 3.0 * largest)));
   panel.y = fitted({"Axial force", "kN"}, {0.0, range.to}, true);
   figure.panels = {std::move(panel)};
   return {std::move(figure)};
 }
 
-/// Margins of the first candidates, criterion by criterion; below 1 it is missed.
+/// Margins of the first candidates, criterion by criterion; below 1 a criterion fails.
 Figures margins(const SizeResult& r) {
   Figure figure{"size_margins", "Margins"};
   std::vector<std::string> names;
@@ -500,7 +501,7 @@ constexpr std::size_t kNameWidth = 22;
 
 using Cells = std::vector<std::string>;
 
-/// Rows of columns as wide as their texts, to the left where `sides` has an `l`.
+/// Rows of columns as wide as their texts, left-aligned where `sides` has an `l`.
 std::string aligned(const std::vector<Cells>& rows, std::string_view sides) {
   std::vector<std::size_t> widths(sides.size(), 0);
   for (const Cells& row : rows)
@@ -542,13 +543,13 @@ std::string verdict(const SizeResult& r) {
   return text;
 }
 
-/// Whether temperatures rest on conductances of still air.
+/// Whether temperatures depend on estimated conductances to still air.
 bool is_rough(const SizeResult& r) {
   const auto& heat = r.input.values.heat;
   return heat && !(heat->conductance.screw_ambient && heat->conductance.nut_ambient);
 }
 
-/// What lives and safeties of the list rest on.
+/// Basis of lives and safeties of the list.
 std::string basis_note(const SizeResult& r) {
   const auto from = [&](std::string_view basis) {
     return std::ranges::any_of(r.candidates, [&](const SizedCandidate& c) { return c.basis() == basis; });
@@ -565,7 +566,7 @@ Cells first_cells(const SizedCandidate& c) {
   return {fmt::format("{}", c.rank), shortened(printable(c.name), kNameWidth)};
 }
 
-/// How the screws meet the requirement.
+/// Cells that compare a screw with the requirement.
 Cells screw_row(const SizedCandidate& c) {
   Cells cells = first_cells(c);
   for (std::string text : {std::string(c.passes ? "passes" : "fails"), significant(c.life.hours, 4),
@@ -575,7 +576,7 @@ Cells screw_row(const SizedCandidate& c) {
   return cells;
 }
 
-/// What they are, what they ask of motor and cooling, and where they come from.
+/// Cells with a screw's type, its demands on motor and cooling, and its source.
 Cells drive_row(const SizeResult& r, const SizedCandidate& c) {
   const std::optional<double> heat = c.hottest_part();
   Cells cells = first_cells(c);
@@ -632,7 +633,7 @@ std::string criteria_rows(const SizedCandidate& c) {
   return text;
 }
 
-/// A criterion and an input whose default it rests on.
+/// A criterion and the default input that it depends on.
 constexpr std::pair<std::string_view, std::string_view> kRestsOn[] = {
     {"life", "life.basis"},
     {"static_safety", "limits.static_safety"},
@@ -697,7 +698,7 @@ std::string candidates_csv(const SizeResult& r, const CsvStyle& style) {
   return csv.take();
 }
 
-/// All items of all candidates, named by a column `kind`.
+/// All items of all candidates, with a column `kind` for their names.
 template <class Item>
 std::string items_csv(const SizeResult& r, const std::vector<Item> SizedCandidate::*items, std::string_view kind,
                       const CsvStyle& style) {

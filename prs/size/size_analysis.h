@@ -15,10 +15,10 @@ std::string size_table(const SizeResult& result, std::size_t rows);
 std::vector<OutputFile> size_files(const SizeResult& result, const CsvStyle& style);
 Pictures size_pictures(const SizeResult& result);
 
-/// Defaults on which the verdicts rest: `limits.static_safety 1.5`.
+/// Defaults that decide the verdicts: `limits.static_safety 1.5`.
 std::vector<std::string> deciding_defaults(const SizeResult& result);
 
-/// The requirement as far as no candidate changes it.
+/// Part of the requirement that no candidate changes.
 using RequirementOf = Within<SizeResult, MotionCycle>;
 
 Record<RequirementOf> record_of(Type<RequirementOf>);

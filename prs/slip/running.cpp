@@ -46,15 +46,14 @@ class Anderson {
   Eigen::VectorXd last_residual_, last_g_;
 };
 
-/// What the bodies answer to a push.
+/// Response of the bodies to a push.
 struct Answer {
   fe::NewtonStatus status = fe::NewtonStatus::iteration_limit;
-  PerInterface<std::vector<double>> normal_load;   ///< As in `InterfaceLoads` [N].
+  PerInterface<std::vector<double>> normal_load;   ///< Loads as in `InterfaceLoads` [N].
   std::vector<std::array<double, 2>> guide_force;  ///< See `RunningLoads`.
 };
 
-/// Places of the rollers among all threads; under preload rows are the flank that the load names
-/// and the other one.
+/// Indices of the rollers among all threads; under preload rows are the flank that the load names and the other one.
 struct Rollers {
   std::vector<std::size_t> present{0};
   std::size_t threads = 0;
@@ -63,7 +62,7 @@ struct Rollers {
   bool of_flanks() const { return rows != Rows::rollers; }
 };
 
-/// What slips alike: rollers of one nut, whose threads stand from `first` on among all.
+/// Rollers of one nut, which slip alike; their threads start at `first` among all.
 struct Slipping {
   SlipModel model;
   std::size_t first = 0;
@@ -121,7 +120,7 @@ class FixedPoint {
     RunningLoads& r = running();
     std::vector<SlipEquilibrium> slip;
     std::vector<std::optional<double>> slip_ratio(2, near);
-    bool anew = true;  // Looks for the slip ratio, in place of a step by the last slope.
+    bool anew = true;  // Whether to search the slip ratio again, in place of a step by the last slope.
     push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
       const std::vector<Slipping> nuts = slipping_on(answer);
@@ -176,9 +175,9 @@ class FixedPoint {
   RunningLoads& running() { return *loaded_.running; }
   PerInterface<InterfaceLoads>& threads() { return *loaded_.threads; }
 
-  /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
-  /// that of the round. False where there are none.
-  /// `slow`: the last rounds changed them hardly less than those before.
+  /// Follows loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is that of the
+  /// round. Returns false if there are none. `slow`: whether the last rounds changed the loads hardly less than earlier
+  /// ones.
   bool follow(const Bodies& bodies, const Turned& turned, const std::vector<double>& centrifugal, bool slow,
               Answer& answer) {
     RunningLoads& r = running();
@@ -230,7 +229,7 @@ class FixedPoint {
     return false;
   }
 
-  /// Over the largest load.
+  /// Largest change, over the largest load.
   static double largest_change(const PerInterface<std::vector<double>>& now,
                                const PerInterface<std::vector<double>>& before) {
     double change = 0.0, load = 0.0;
@@ -243,8 +242,8 @@ class FixedPoint {
     return change > 0.0 ? 1.0 : 0.0;
   }
 
-  /// The models of slip on these loads. Where the file states the angle of a normal, F_i is that of
-  /// the sector, |s cos(psi) N_i +- T_x,i|.
+  /// Models of slip on these loads. If the file states the angle of a normal, F_i is that of the sector, |s cos(psi)
+  /// N_i +- T_x,i|.
   std::vector<Slipping> slipping_on(const Answer& answer) {
     running().guide_force = answer.guide_force;
     const double named = sense(*loaded_.load_case.direction);
@@ -269,7 +268,7 @@ class FixedPoint {
     return nuts;
   }
 
-  /// T_i = N_i (n - m_i) of each thread.
+  /// Sets T_i = N_i (n - m_i) of each thread.
   void set_friction(const Slipping& nut, const SlipEquilibrium& found) {
     for (const Interface i : kInterfaces) {
       const LoadedThreads& t = nut.model.threads[i];
@@ -290,7 +289,7 @@ class FixedPoint {
     }
   }
 
-  /// F_i = N_i |m_z,i| of converged loads, friction included.
+  /// Sets F_i = N_i |m_z,i| of converged loads, friction included.
   void set_axial_loads(const Slipping& nut) {
     const double unit = std::abs(loaded_.load_case.axial_force) / contacts_.mechanism.rollers;
     for (const Interface i : kInterfaces) {
@@ -309,7 +308,7 @@ class FixedPoint {
     }
   }
 
-  /// All unknown forces, the centrifugal ones of the rows last [N].
+  /// Vector of all unknown forces, the centrifugal ones of the rows last [N].
   Eigen::VectorXd forces(const std::vector<double>& centrifugal) const {
     std::vector<double> all;
     for (const std::size_t roller : rollers_.present)
@@ -341,13 +340,13 @@ class FixedPoint {
   const SlipModels& models_;
   Rollers rollers_;
   LoadCaseResult& loaded_;
-  std::vector<RollerPush> push_;  ///< On each roller present.
+  std::vector<RollerPush> push_;  ///< Push on each present roller.
   Anderson rounds_;
   Eigen::VectorXd last_tau_;
   double thread_share_ = 0.0, head_share_ = 0.0;  ///< Shares of a roller's mass per length [1/m].
 };
 
-/// Why there are no loads of a running screw, where those at rest are known.
+/// Reason why there are no loads of a running screw, if those at rest are known.
 Warning why_not_running(const RunningLoads& r) {
   switch (r.status) {
     case RunningStatus::jammed:
@@ -364,7 +363,7 @@ Warning why_not_running(const RunningLoads& r) {
   }
 }
 
-/// Without loads.
+/// Result without loads.
 LoadCaseResult not_running(LoadCaseResult rest) {
   if (rest.threads)
     rest.warnings.push_back(why_not_running(*rest.running));
@@ -376,7 +375,7 @@ LoadCaseResult not_running(LoadCaseResult rest) {
   return rest;
 }
 
-/// Loads that stand on friction, with axial forces as slip has them.
+/// Result with running loads, with axial forces as in slip.
 LoadCaseResult with_friction(LoadCaseResult loaded, LoadCaseResult slipped) {
   for (const Interface i : kInterfaces) {
     InterfaceLoads &to = (*loaded.threads)[i], &from = (*slipped.threads)[i];
@@ -539,7 +538,7 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional
   return with_friction(solved_result(load_case, contacts_, laws_, bodies.loads(point.push().front())), std::move(rest));
 }
 
-/// The running loads of all rollers where the carrier stands, and what they are found by.
+/// Running loads of all rollers at one carrier angle, and the workspace of their search.
 struct RunningSolver::AllRunning {
   LoadCaseResult result;
   FullDistribution loads;
@@ -693,7 +692,7 @@ Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions opt
   require_rolling(c, contacts);
   Result result = analyze(c, std::move(contacts), options, runs);
   const SlipModels models(c, result.contacts);
-  Conditions alone = c;  // `solve` has one flank, whatever closes the other one.
+  Conditions alone = c;  // `solve` has one flank, even if the other one is closed too.
   alone.preload.reset();
   RunningSolver solver(alone, result.contacts, models);
   for (LoadCaseResult& loaded : result.load_cases) {

@@ -10,7 +10,7 @@
 namespace prs {
 namespace {
 
-/// Power densities that differ by less than this share differ by rounding: the first one counts.
+/// Relative difference of power densities that is only rounding: the first one counts.
 constexpr double kEqualPower = 1e-9;
 
 /// The body whose threads leave the grooves of the rollers: at the last contact they lag by half a pitch.
@@ -33,7 +33,7 @@ void require_mesh(const Mechanism& m) {
                               mm(pitch[*part]), name(*part), mm(pitch.roller), m.contacts_per_roller));
 }
 
-/// `value_of_patch` of each patch, handed out to the threads that it stands for.
+/// `value_of_patch` of each patch, copied to the threads that it represents.
 template <class Value>
 void set_values(std::vector<double>& values, const LoadedThreads& threads, Value value_of_patch) {
   values.clear();
@@ -45,13 +45,13 @@ void set_values(std::vector<double>& values, const LoadedThreads& threads, Value
   }
 }
 
-/// Roller and body as their surfaces move through the contact, which the carrier holds.
+/// Roller and body with the motion of their surfaces through the contact, which the carrier holds in place.
 std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bodies, const Kinematics& parts,
                                           const KinematicGeometry& geometry, const ContactFrameOf<double>& frame,
                                           Interface i) {
   const ContactMotion motion = contact_motion(geometry, parts, i);
   for (std::size_t k = 0; k < 2; ++k) {
-    const double sense = k == 0 ? -1.0 : 1.0;  // Sliding: of the body against the roller.
+    const double sense = k == 0 ? -1.0 : 1.0;  // Sign of the sliding of the body against the roller.
     const auto along = [&](const contact::Vector3<double>& axis) {
       return 0.5 * (dot(motion.rolling, axis) + sense * dot(motion.sliding, axis));
     };
@@ -74,7 +74,7 @@ void clear_values(InterfaceSlip& slip) {
   for (const auto values : all_values()) (slip.*values).clear();
 }
 
-/// Values of an interface that are all empty so far.
+/// Sets the values of an interface, all of which must be empty.
 void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipBalance& balance, Interface i,
                         const SlipDetail& detail) {
   const LoadedThreads& threads = model.threads[i];
@@ -162,7 +162,7 @@ EqualShareSlip summary_of(const SlipResult& equal) {
   return s;
 }
 
-/// (3.55) with B_1 = 98.1 % and B_2 = 0.32 %, for the lubricants that Sandu varied it over.
+/// (3.55) with B_1 = 98.1 % and B_2 = 0.32 %, for the lubricants of Sandu's study.
 std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) {
   const double millipascal_seconds = lubricant.viscosity * 1e3;
   const double megapascals = lubricant.eyring_stress * 1e-6;
@@ -170,7 +170,7 @@ std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) 
   return 0.981 - 0.0032 * megapascals * std::log(millipascal_seconds);
 }
 
-/// What the flow of power under an axial force says; torques come first.
+/// Sets the results that follow from the flow of power under an axial force; set torques first.
 void set_drive(SlipResult& slip, const PowerFlow& flow, double axial_force, double lead) {
   slip.efficiency = flow.efficiency();
   slip.driven_by = driven_by(axial_force, slip.speed, lead);
@@ -181,8 +181,8 @@ void set_drive(SlipResult& slip, const PowerFlow& flow, double axial_force, doub
   slip.holding_torque = std::copysign(1.0, slip.speed) * slip.torque_screw;
 }
 
-/// Loads at rest as slip takes them: solved ones, and equal shares by the geometry. Those of a
-/// running screw are still to be solved.
+/// Loads at rest for slip: solved ones, and equal shares by the geometry. Those of a running screw are still to be
+/// solved.
 Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions options) {
   const auto equal = [](const LoadCase& load) { return load.share == LoadCase::Share::equal; };
   if (std::ranges::all_of(c.load_cases, equal)) return analyze_contacts(c, std::move(contacts), options.detail);
@@ -197,8 +197,8 @@ Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions
   return result;
 }
 
-/// A screw held at rest: the ends of a creeping motion in both senses, with Coulomb's friction, or that of
-/// flanks that touch without a film.
+/// A screw held at rest: the limits of slow motion in both senses, with Coulomb's friction, or that of touching flanks
+/// without a film.
 SlipResult held(const Conditions& c, const Contacts& contacts, const LoadCase& load, const std::optional<Oils>& oils) {
   constexpr double kCreep = 1e-3;  // Friction does not depend on it, inertia is far below rounding [rad/s].
   Conditions creeping = c;
@@ -225,7 +225,7 @@ SlipResult held(const Conditions& c, const Contacts& contacts, const LoadCase& l
   return result;
 }
 
-/// Threads of the flank that the load names stay in the lists, power of the other one goes to it.
+/// Keeps threads of the flank that the load names in the lists, and moves the power of the other one to it.
 void part_flanks(LoadCaseResult& loaded) {
   if (!loaded.other_flank || !loaded.slip->converged()) return;
   SlipResult& slip = *loaded.slip;
@@ -244,8 +244,8 @@ void part_flanks(LoadCaseResult& loaded) {
   find_hottest(slip);
 }
 
-/// What both nuts do to the screw, powers and torques of the second one on top, under the force F_N
-/// of the load case.
+/// Sums the effects of both nuts on the screw, powers and torques of the second one added, under the force F_N of the
+/// load case.
 void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_model, double force) {
   if (slip.converged() && second.converged()) {
     slip.power.screw += second.power.screw;

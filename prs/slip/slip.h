@@ -5,11 +5,10 @@
 
 namespace prs {
 
-/// The whole chain with slip: what `analyze` delivers, or for equal shares `analyze_contacts`, and
-/// for each load case the stationary slip and what friction takes. The case must have passed
-/// `check_case` and the requirements of `slip`. Throws CaseError where the geometry gives no
-/// contact, or measured pitches bring its threads out of mesh.
-/// `oils`: in place of the lubricant at the temperature of the file.
+/// The whole chain with slip: the results of `analyze`, or for equal shares of `analyze_contacts`, and for each load
+/// case the stationary slip and the friction losses. The case must have passed `check_case` and the requirements of
+/// `slip`. Throws CaseError if the geometry gives no contact, or measured pitches bring its threads out of mesh.
+/// `oils`: replace the lubricant at the temperature of the file.
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options = {},
                     const std::optional<Oils>& oils = {});
 inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
@@ -20,22 +19,22 @@ inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
 std::optional<SlipResult> slip_alone(Conditions c, const Contacts& contacts, const LoadCase& load,
                                      const std::optional<Oils>& oils = {});
 
-/// Throws CaseError where the geometry gives no contact or measured pitches bring its threads out of mesh.
+/// Throws CaseError if the geometry gives no contact or measured pitches bring its threads out of mesh.
 void require_rolling(const Conditions& c, const Contacts& contacts);
 
-/// Whether all threads of a roller stay in the grooves that they begin with, for all measured pitches.
+/// Whether all threads of a roller stay in their initial grooves, for all measured pitches.
 bool rolls(const Mechanism& mechanism);
 
 /// Slip of one load case, without the comparison with equal shares.
 SlipResult slip_result(const SlipModel& model);
 
-/// Which numbers of the threads are wanted.
+/// Numbers of the threads to compute.
 struct SlipDetail {
-  bool threads = true;  ///< All but films.
+  bool threads = true;  ///< All except films.
   bool films = true;
 };
 
-/// The same for an equilibrium that is known, into memory that the result keeps.
+/// Fills a result, which keeps its memory, from a known equilibrium.
 void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilibrium& found, const SlipDetail& detail);
 
 }  // namespace prs

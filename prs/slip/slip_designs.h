@@ -13,12 +13,11 @@ class SlipDesignSolver {
   explicit SlipDesignSolver(simd::InstructionSet set) : set_(set) {}
 
   void clear() { screws_.clear(), tasks_.clear(); }
-  /// A model with equal shares; its patches are not needed.
+  /// Adds a model with equal shares; its patches are not needed.
   void add(const SlipModel& model);
-  /// Solves all that were added.
+  /// Solves all models that were added.
   void solve(const contact::PatchGrid& grid);
-  /// What `find_slip_equilibrium` gives for the model that was added as number k. Into the memory
-  /// of `found`.
+  /// Fills `found` with the result that `find_slip_equilibrium` gives for the model added as number k.
   void get(std::size_t k, SlipEquilibrium& found) const;
 
  private:

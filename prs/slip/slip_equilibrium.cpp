@@ -17,7 +17,7 @@ struct RollerHeadOf {
   contact::JournalBearingStateOf<Number> state{};
 };
 
-/// How the other flank of an interface slides, where there is one.
+/// Sliding of the other flank of an interface, if there is one.
 template <class Number>
 contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i, const Number& slip_ratio) {
   if (!model.other_flank) return {};
@@ -105,7 +105,7 @@ RollerBalanceOf<Number> balance_of(const SlipModel& model, const Number& slip_ra
       [&](const auto&, const RollerForcesOf<Number>& f, const Number& speed) { return both_heads(model, f, speed); });
 }
 
-/// R_z with its slope along the slip ratio; none where a contact jams.
+/// R_z with its slope along the slip ratio; none if a contact jams.
 std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio) {
   bool possible = true;
   const auto found = balance_of(model, Dual<double>(slip_ratio, 1.0), possible, [](auto&&...) {});
@@ -194,7 +194,7 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
-  // What acts on a roller, taken about the screw's axis, acts back on screw and nut.
+  // Moment about the screw's axis of the forces on a roller, which act back on screw and nut.
   const auto about_axis = [&](Interface i) {
     return moment_z(m.geometry.points[i], 0.0, b.interfaces[i].force) + b.interfaces[i].couple +
            b.interfaces[i].spin_torque;

@@ -11,12 +11,12 @@ namespace prs {
 /// Directions at the contacts of an interface.
 template <class Real>
 struct ContactFrameOf {
-  contact::Vector3<Real> normal{};      ///< n, outward from the roller
+  contact::Vector3<Real> normal{};      ///< n, outward normal of the roller.
   contact::Vector3<Real> major_axis{};  ///< t_1
   contact::Vector3<Real> minor_axis{};  ///< t_2 = n x t_1
 };
 
-/// Friction of a roller's head in its bearing beside that of a full film; see `HeadFriction`.
+/// Friction of a roller's head in its bearing in addition to that of a full film; see `HeadFriction`.
 template <class Real>
 struct HeadFrictionOf {
   Real touches{};       ///< 1: mixed or coulomb; 0: hydrodynamic.
@@ -24,14 +24,14 @@ struct HeadFrictionOf {
   Real roughness{}, exponent{};
 };
 
-/// One roller and what acts on it besides the friction of its threads. SI units.
+/// One roller and its loads besides the friction of its threads. SI units.
 template <class Real>
 struct RollerModelOf {
   KinematicGeometryOf<Real> geometry{};  ///< Points of the faces that touch under the force.
   PerInterface<ContactFrameOf<Real>> frames{};
   Real speed{};  ///< omega_s/n [rad/s]
   Real rollers = 1.0;
-  // Torques of the carrier, magnitudes [N m].
+  // Torques of the carrier, as magnitudes [N m].
   Real screw_torque{};
   Real nut_torque{};
   Real roller_torque{};
@@ -49,11 +49,11 @@ template <class Number>
 struct InterfaceForces {
   contact::Vector3<Number> force{};
   Number spin_torque{};
-  /// About the interface's point, of forces that act beside it: their moment along z [N m].
+  /// Moment along z of forces that act beside the interface's point, about that point [N m].
   Number couple = Number(simd::ValueOf<Number>(0.0));
 };
 
-/// Everything that acts on one roller at one slip ratio.
+/// All forces on one roller at one slip ratio.
 template <class Number>
 struct RollerBalanceOf {
   KinematicsOf<Number> motion{};
@@ -66,7 +66,7 @@ struct RollerBalanceOf {
 };
 using RollerBalance = RollerBalanceOf<double>;
 
-/// Sliding below this share of the rolling speed is the rounding of a contact without slip.
+/// Sliding, as a share of the rolling speed, that is rounding of a contact without slip.
 inline constexpr double kNoSlip = 1e-12;
 
 template <class Number, class Real>
@@ -89,7 +89,7 @@ contact::PatchMotionOf<Number> patch_motion(const ContactFrameOf<Real>& frame, c
           select(rolls, sqrt(tangential), none), select(rolls, Number(u_1 * u_1 / tangential), none)};
 }
 
-/// Normal load of a patch and what it does to the roller, with its friction.
+/// Normal load of a patch and its forces on the roller, with its friction.
 template <class Number>
 struct PatchForces {
   Number normal_load{};
@@ -105,7 +105,7 @@ contact::Vector3<Number> turned_normal(const ContactFrameOf<Real>& frame,
   return {n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y, n.z - f_1 * t_1.z - f_2 * t_2.z};
 }
 
-/// Forces of all the threads `alike` that the patch stands for, from the normal load of each.
+/// Forces of all the threads `alike` that the patch represents, from the normal load of each.
 template <class Number, class Real>
 PatchForces<Number> forces_of(const ContactFrameOf<Real>& frame, const contact::PatchFrictionOf<Number>& friction,
                               const contact::Vector3<Number>& m, const Number& normal_load, const Real& alike) {
@@ -122,7 +122,7 @@ PatchForces<Number> patch_forces(const ContactFrameOf<Real>& frame, const contac
   return forces_of(frame, friction, m, Number(axial_load / (m.z * copysign(Real(1.0), frame.normal.z))), alike);
 }
 
-/// Whether a normal load exists: friction can push a contact open, and numbers overflow.
+/// Whether a normal load exists: friction can exceed a contact's capacity, and numbers overflow.
 template <class Number>
 auto is_possible(const Number& normal_load) {
   using Real = simd::ValueOf<Number>;
@@ -145,7 +145,7 @@ RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBal
   using simd::abs, simd::copysign, simd::select;
   const Real& c = m.geometry.centre_distance;
   const Number orbit_speed =
-      against_frame(m.geometry.is_standard(), Number(b.motion.slip_ratio * m.speed), m.speed);  // Of omega_p/n.
+      against_frame(m.geometry.is_standard(), Number(b.motion.slip_ratio * m.speed), m.speed);  // Speed of omega_p/n.
   const Real carrier_torque = copysign(Real(1.0), m.speed) * (m.nut_torque - m.screw_torque);
   RollerForcesOf<Number> f;
   f.contacts_x = b.interfaces.screw.force.x + b.interfaces.nut.force.x;
@@ -163,7 +163,7 @@ RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBal
 ///     M_h = (1 - s) M_hydrodynamic + s mu F_h d/2,
 ///     s = (1 + radial_clearance (1 - eccentricity)/roughness)^-exponent,
 ///
-/// s = 0 of a full film and s = 1 without oil.
+/// s = 0 for a full film and s = 1 without oil.
 template <class Number, class Real>
 contact::JournalBearingStateOf<Number> head_state(const RollerModelOf<Real>& m, const Number& speed,
                                                   const Number& load) {
@@ -190,8 +190,8 @@ contact::JournalBearingStateOf<Number> equal_heads(const RollerModelOf<Real>& m,
   return {state.eccentricity_ratio, 2.0 * state.torque};
 }
 
-/// The bearings' torque depends on their loads and, a little, the loads on the torque.
-/// `heads(m, forces, speed)`: torque of both heads and the larger eccentricity.
+/// Balance in which the bearings' torque depends on their loads and, slightly, the loads on the torque. `heads(m,
+/// forces, speed)`: torque of both heads and the larger eccentricity.
 template <class Number, class Real, class Heads>
 void balance_carrier(const RollerModelOf<Real>& m, RollerBalanceOf<Number>& b, Heads heads) {
   using simd::abs, simd::any, simd::copysign, simd::select, simd::value;
@@ -217,8 +217,8 @@ Number moment_z(const contact::Vector2<Real>& point, const Real& axis_x, const c
   return (point.x - axis_x) * force.y - point.y * force.x;
 }
 
-/// Balances all but the moment about the roller's axis, see `balance_at`. `forces_at(i, sliding)`:
-/// `InterfaceForces` of the threads of an interface. `heads`: see `balance_carrier`.
+/// Balances all except the moment about the roller's axis, see `balance_at`. `forces_at(i, sliding)`: `InterfaceForces`
+/// of the threads of an interface. `heads`: see `balance_carrier`.
 template <class Number, class Real, class Forces, class Heads>
 RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Number& slip_ratio, Forces forces_at,
                                        Heads heads) {

@@ -25,7 +25,7 @@ struct SlipNumbers {
   Real residue_unit{};
 };
 
-/// What acts at one slip ratio, with one patch at each interface; see `SlipBalance`.
+/// Forces at one slip ratio, with one patch at each interface; see `SlipBalance`.
 template <class Number>
 struct SharedSlipBalance {
   RollerBalanceOf<Number> roller{};
@@ -33,15 +33,15 @@ struct SharedSlipBalance {
   PerInterface<Number> normal_load{};
 };
 
-/// The patch points that all screws of a batch have.
+/// Patch points common to all screws of a batch.
 struct SharedPoints {
-  contact::PatchPoints points;  ///< `size`: those inside.
+  contact::PatchPoints points;  ///< `size`: number of points inside.
   std::span<const std::uint32_t> dome_of_point;
   std::size_t domes = 0;
   double cell_load = 0.0;
 };
 
-/// A search for equilibrium and what it found last.
+/// A search for equilibrium and its last result.
 struct SlipTask {
   SlipSearch search;
   SharedSlipBalance<double> balance;
@@ -49,8 +49,7 @@ struct SlipTask {
 
 /// One screw per lane: searches until all are done. A screw does not depend on its neighbours.
 struct SlipKernel {
-  /// `viscosity_ratio`: per screw and interface `domes` numbers. `memory`: 2 x `domes` x
-  /// simd::kWidest numbers.
+  /// `viscosity_ratio`: `domes` numbers per screw and interface. `memory`: 2 x `domes` x simd::kWidest numbers.
   template <class Arch>
   void operator()(Arch, const SharedPoints& points, std::span<const SlipNumbers<double>> screws,
                   const double* viscosity_ratio, std::span<SlipTask> tasks, double* memory) const;

@@ -55,7 +55,7 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
   return *density * roller_body(m, roller).volume;
 }
 
-/// Roller and body; none where conductivity, density or specific heat of one is not known.
+/// Roller and body; none if conductivity, density or specific heat of one is not known.
 std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials& materials, Part body) {
   std::array<contact::HeatedBody, 2> bodies;
   const Part parts[] = {Part::roller, body};

@@ -11,14 +11,14 @@ namespace {
 constexpr double kSlipTolerance = 1e-14;
 constexpr int kMostEvaluations = 100;
 
-/// Moments below this share of c |F_N|/N_R are rounding.
+/// Moment, as a share of c |F_N|/N_R, below which it is rounding.
 constexpr double kNoMoment = 1e-15;
 
 /// First step if Newton's method from the ideal slip ratio leads away from the root.
 constexpr double kFirstStep = 2e-3;
 constexpr double kLongestStep = 10.0;
 
-/// A step of Newton's method shorter than this, relative, leaves an error below rounding.
+/// Relative length of a step of Newton's method below which its error is below rounding.
 constexpr double kLastStep = 1e-4;
 
 }  // namespace
@@ -79,9 +79,8 @@ void SlipSearch::step() {
   double newton = t_ - residue_ / slope_;
   if (evaluations_ == 1 && t_ == 0.0) {
     if (std::abs(residue_) <= kNoMoment) return end_as(SlipStatus::converged);
-    // Where friction alone resists, the moment has the sense of the speed at t = 0 and the root
-    // lies at t > 0 (3.45); a carrier that is dragged along can push it to t < 0, at most to where
-    // the carrier turns with the driving part.
+    // If friction alone resists, the moment has the sense of the speed at t = 0 and the root lies at t > 0 (3.45); a
+    // driven carrier can push it to t < 0, at most to where the carrier turns with the driving part.
     set_end(residue_);
     if (!(newton / end_ > 0.0 && newton / end_ <= 1.0)) newton = std::copysign(kFirstStep, end_);
     return evaluate_next_at(newton);

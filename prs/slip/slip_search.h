@@ -4,38 +4,37 @@
 
 namespace prs {
 
-// Kernels include this: no Eigen.
+// Included in kernels, therefore without Eigen.
 struct SlipRange;
 enum class SlipStatus;
 
-/// Looks for the slip ratio at which the moments on a roller are in balance: Newton's method from
-/// the ideal slip ratio, between bounds. It asks for one evaluation after the other, so that
-/// searches can run side by side:
+/// Search for the slip ratio at which the moments on a roller are in balance: Newton's method from the ideal slip
+/// ratio, between bounds. It requests one evaluation after the other, so that searches can run side by side:
 ///
 ///     while (!search.done()) search.take(evaluate at search.slip_ratio(), ..);
 ///
-/// The last evaluation is without slope, at the slip ratio that was found or where it gave up.
+/// The last evaluation is without slope, at the slip ratio that was found or where the search gave up.
 class SlipSearch {
  public:
   SlipSearch() = default;
-  /// `imposed`: one evaluation there is all.
-  /// `near`: a slip ratio near the root, on the same side of the ideal one, to start from.
+  /// `imposed`: only this slip ratio is evaluated. `near`: a slip ratio near the root, on the same side of the ideal
+  /// one, to start from.
   SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed = {},
              const std::optional<double>& near = {});
 
   bool done() const { return status_ != SlipStatus{}; }
   SlipStatus status() const { return status_; }
-  /// Slope of the residue along the slip ratio, where it was last asked for.
+  /// Slope of the residue along the slip ratio, at its last evaluation.
   double slope() const { return slope_ / (sense_ * way_); }
   int evaluations() const { return evaluations_; }
 
   double slip_ratio() const;
-  /// Whether the next evaluation is with the slope along the slip ratio.
+  /// Whether the next evaluation needs the slope along the slip ratio.
   bool wants_slope() const { return wants_slope_; }
 
-  /// R_z at `slip_ratio()`, see `relative_residue`, and its slope where it was wanted.
+  /// Takes R_z at `slip_ratio()`, see `relative_residue`, and its slope if requested.
   void take(double relative_residue, double slope);
-  /// In place of `take` where no normal loads exist.
+  /// Replaces `take` if no normal loads exist.
   void jam();
 
  private:
@@ -45,15 +44,15 @@ class SlipSearch {
   void evaluate_next_at(double t);
 
   SlipStatus status_{};
-  SlipStatus last_{};  ///< After the last evaluation.
+  SlipStatus last_{};  ///< Status after the last evaluation.
   std::optional<double> imposed_;
   double sense_ = 1.0, ideal_ = 0.0, way_ = 1.0;
   double t_ = 0.0;  ///< 0 at the ideal slip ratio, 1 at pure sliding.
   double end_ = 1.0;
-  double at_ideal_ = 0.0;  ///< Residue.
+  double at_ideal_ = 0.0;  ///< Residue at the ideal slip ratio.
   double residue_ = 0.0, slope_ = 0.0;
   double last_step_ = 0.0;
-  double near_ = 0.0, far_ = 0.0;  ///< The root lies between them; far not known: NaN.
+  double near_ = 0.0, far_ = 0.0;  ///< Bounds of the root; NaN: far one not known.
   bool wants_slope_ = true;
   int evaluations_ = 0;
 };

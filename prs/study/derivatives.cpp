@@ -82,7 +82,7 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
   model.contacts = checked_contacts(given, complete ? Detail::complete : Detail::numbers);
   const Conditions& c = given;
   model.load_cases = c.load_cases;
-  if (command == Command::contact)  // It answers those of equal shares alone.
+  if (command == Command::contact)  // The command answers load cases of equal shares only.
     std::erase_if(model.load_cases, [](const LoadCase& load) { return load.share != LoadCase::Share::equal; });
   model.solvers.resize(model.load_cases.size());
   model.solved.resize(model.load_cases.size());
@@ -163,7 +163,7 @@ class BaseCase {
   }
   Eigen::VectorXd values() { return responses(model_, study_.command, numbers_, states_); }
 
-  /// dR/dx with one step width. Throws where a value on the way has no mechanism.
+  /// dR/dx with one step width. Throws if a value on the way has no mechanism.
   Eigen::VectorXd rates(const Factor& factor, double step) {
     std::array<Model, 3> forward, backward;
     for (std::size_t m = 0; m < kDifference.size(); ++m) {
@@ -242,7 +242,7 @@ void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide, const Eig
   for (std::size_t k = 0; k < kept.responses.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     const double error = std::abs(wide[at] - narrow[at]);
-    // What changes by less than this share of the response over the factor is constant.
+    // A change of less than this share of the response over the factor counts as none.
     const double scale = std::abs(wide[at]) + 1e-6 * std::abs(values[at] / size);
     if (!(error <= kSettled * scale)) continue;
     std::optional<Derivative>& best = kept.responses[k];

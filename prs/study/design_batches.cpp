@@ -158,7 +158,7 @@ void SectorBatch::add(std::size_t row, Case& c, const std::vector<std::size_t>& 
   ++used_;
 }
 
-/// Adds the sectors of a design whose contacts are found. False where one of them has no place
+/// Adds the sectors of a design whose contacts are found. False if one of them has no place
 /// among the columns.
 bool SectorBatch::add_sectors(std::size_t k) {
   Design& design = designs_[k];
@@ -198,7 +198,7 @@ void SectorBatch::prepare(std::size_t k, ContactDetail detail) {
     design.complete = design.complete && add_sectors(k);
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception&) {  // Alone it says why.
+  } catch (const std::exception&) {  // A separate evaluation gives the reason.
     design.complete = false;
   }
   if (design.complete) return;

@@ -8,16 +8,16 @@
 
 namespace prs {
 
-/// Contacts of designs that are found together. Memory stays from batch to batch.
+/// Contacts of designs that are found together. Memory is kept from batch to batch.
 class SharedContacts {
  public:
   explicit SharedContacts(simd::InstructionSet set) : found_(set) {}
 
   void clear() { found_.clear(); }
-  /// Number of the mechanism here; none where it has yet to be designed.
+  /// Adds a mechanism and returns its number here; none if it has yet to be designed.
   std::optional<std::size_t> add(const Mechanism& mechanism, const std::optional<Materials>& materials);
   void find() { found_.find(); }
-  /// False where `checked_contacts` finds them or says why there are none.
+  /// Returns false if `checked_contacts` must find them or gives the reason why there are none.
   bool get(std::optional<std::size_t> k, ContactDetail detail, Contacts& contacts) const;
 
  private:
@@ -30,23 +30,22 @@ class SharedContacts {
   std::vector<Entry> entries_;
 };
 
-/// Designs of bars whose contacts are found and whose sectors are solved side by side. What is kept
-/// of a design is its sectors and what its contacts are made of, not the case. Memory stays from
-/// batch to batch.
+/// Designs of bars whose contacts are found and whose sectors are solved side by side. Only a design's sectors and the
+/// inputs of its contacts are kept, not the case. Memory is kept from batch to batch.
 class BarBatch {
  public:
   explicit BarBatch(simd::InstructionSet set) : contacts_(set), solver_(set), set_(set) {}
 
-  /// Whether the load cases of a case, by their indices, can be answered so.
+  /// Whether the load cases of a case, by their indices, can be solved this way.
   static bool takes(const Case& c, std::span<const std::size_t> load_cases);
 
-  /// `detail`: what answers need of the contacts.
+  /// `detail`: contacts needed for the results.
   void clear(ContactDetail detail);
   /// `mechanism`: that of the case with all its radii.
   void add(std::size_t row, const Case& c, const Mechanism& mechanism, std::span<const std::size_t> load_cases);
 
-  /// Calls `take(row, results, contacts)` of each design with the results of its load cases, and
-  /// `leave(row)` of those that have no contacts or no equilibrium here.
+  /// Calls `take(row, results, contacts)` for each design with the results of its load cases, and `leave(row)` for
+  /// those without contacts or equilibrium here.
   template <class Take, class Leave>
   void solve(const LoadDetail& detail, Take take, Leave leave) {
     set_laws();
@@ -63,13 +62,13 @@ class BarBatch {
  private:
   struct Design {
     std::size_t row = 0;
-    std::size_t contacts = 0;  ///< Index among those that are found.
+    std::size_t contacts = 0;  ///< Index among the found contacts.
     std::size_t first_sector = 0;
     Mechanism mechanism;
     contact::MechanismGeometry threads;
     ContactOverrides overrides;
     PerInterface<ContactLawNumbers> laws;
-    std::optional<std::size_t> offsets;  ///< Index, if threads are off their place.
+    std::optional<std::size_t> offsets;  ///< Index, if threads have offsets.
     bool has_contacts = true;
   };
   struct Offsets {
@@ -84,7 +83,7 @@ class BarBatch {
   ContactBatch contacts_;
   BarDesignSolver solver_;
   simd::InstructionSet set_;
-  std::size_t load_cases_ = 0;  ///< Per design.
+  std::size_t load_cases_ = 0;  ///< Number per design.
   std::vector<Design> designs_;
   std::vector<SectorModel> sectors_;        ///< One per design and load case.
   std::vector<double> forces_, positions_;  ///< One per sector in use.
@@ -97,9 +96,9 @@ class BarBatch {
   std::vector<LoadCaseResult> results_;  ///< One design.
 };
 
-/// Designs of bars or refined bodies whose contacts are found and whose sectors are solved side by
-/// side. What sectors are made of is kept of a design, or all its conditions, which measures are
-/// taken of. Memory stays from batch to batch.
+/// Designs of bars or refined bodies whose contacts are found and whose sectors are solved side by side. A design's
+/// inputs of sectors are kept, or all its conditions, from which measures are computed. Memory is kept from batch to
+/// batch.
 class SectorBatch {
  public:
   struct Design {
@@ -108,19 +107,19 @@ class SectorBatch {
     Contacts contacts;
     std::optional<std::size_t> shared;  ///< Number among the contacts that are found together.
     PerInterface<ContactLaw> laws;
-    std::vector<LoadCaseResult> load_cases;  ///< Those that are asked for.
-    bool complete = false;                   ///< Needs no other solver.
+    std::vector<LoadCaseResult> load_cases;  ///< Requested load cases.
+    bool complete = false;                   ///< Whether no other solver is needed.
   };
 
   explicit SectorBatch(simd::InstructionSet set) : contacts_(set), bars_(set), refined_(set), set_(set) {}
 
   void clear() { used_ = 0, contacts_.clear(); }
-  /// `load_cases`: indices, as far as the case has them. Contacts are found together with
-  /// Detail::numbers, else here: throws CaseError where there are none.
+  /// `load_cases`: indices, as far as the case has them. Contacts are found together with Detail::numbers, else here:
+  /// throws CaseError if there are none.
   void add(std::size_t row, Case& c, const std::vector<std::size_t>& load_cases, bool is_measured, Detail detail);
 
-  /// Calls `take(design)` of each design that is solved, and `leave(row)` of those that have no
-  /// contacts, no place among the sectors or no equilibrium here.
+  /// Calls `take(design)` for each solved design, and `leave(row)` for those without contacts, without a place among
+  /// the sectors or without equilibrium here.
   template <class Take, class Leave>
   void solve(ContactDetail detail, bool tangent_stiffness, Take take, Leave leave) {
     if (used_ > 0) solve_sectors(detail, tangent_stiffness);
@@ -132,7 +131,7 @@ class SectorBatch {
   }
 
  private:
-  /// A sector that waits, and where its answer goes.
+  /// A waiting sector, and the destination of its result.
   struct Sector {
     std::size_t design = 0;
     std::size_t load_case = 0;  ///< Index among the design's load cases.
@@ -154,23 +153,23 @@ class SectorBatch {
   std::vector<LoadDistribution> loads_;
 };
 
-/// Designs of slip with equal shares whose contacts are found and whose rollers are balanced side
-/// by side. Neither the case nor its conditions are kept. Memory stays from batch to batch.
+/// Designs of slip with equal shares whose contacts are found and whose rollers are balanced side by side. Neither the
+/// case nor its conditions are kept. Memory is kept from batch to batch.
 class SlipBatch {
  public:
   explicit SlipBatch(simd::InstructionSet set) : contacts_(set), solver_(set), set_(set) {}
 
-  /// Whether the load cases of a case, by their indices, can be answered so together with those
-  /// that wait: one grid of patch points serves all.
+  /// Whether the load cases of a case, by their indices, can be solved together with the waiting ones: all share one
+  /// grid of patch points.
   bool takes(const Case& c, std::span<const std::size_t> load_cases) const;
 
-  /// `detail`: what answers need of the contacts.
+  /// `detail`: contacts needed for the results.
   void clear(ContactDetail detail);
   /// `mechanism`: that of the case with all its radii.
   void add(std::size_t row, const Case& c, const Mechanism& mechanism, std::span<const std::size_t> load_cases);
 
-  /// Calls `take(row, results, contacts)` of each design with the results of its load cases, and
-  /// `leave(row)` of those that have no contacts, gears that break (2.14) or no equilibrium here.
+  /// Calls `take(row, results, contacts)` for each design with the results of its load cases, and `leave(row)` for
+  /// those without contacts, with gears that violate (2.14) or without equilibrium here.
   template <class Take, class Leave>
   void solve(const LoadDetail& loads, const SlipDetail& slips, Take take, Leave leave) {
     find();
@@ -187,7 +186,7 @@ class SlipBatch {
     Mechanism mechanism;
     contact::MechanismGeometry threads;
     bool is_sound = false;
-    std::size_t first_task = 0;  ///< First of the solver's tasks; one per load case.
+    std::size_t first_task = 0;  ///< Index of the first of the solver's tasks; one per load case.
   };
 
   void find();
@@ -198,7 +197,7 @@ class SlipBatch {
   simd::InstructionSet set_;
   ContactDetail detail_ = ContactDetail::laws;
   int patch_points_ = 0;
-  std::size_t load_cases_ = 0;  ///< Per design.
+  std::size_t load_cases_ = 0;  ///< Number per design.
   std::vector<Design> designs_;
   std::vector<SlipModel> models_;        ///< One per design and load case; memory is kept.
   std::vector<double> forces_;           ///< One per load case.

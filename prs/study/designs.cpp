@@ -18,7 +18,7 @@ namespace {
 
 constexpr unsigned kBits = 32;  // Bits of the index of a Sobol point.
 
-/// What numbers are drawn for: each purpose has streams of its own.
+/// Purpose of drawn numbers: each has separate streams.
 enum class Purpose : std::uint64_t { monte_carlo, strata, within_stratum, shift };
 
 constexpr std::uint64_t key_of(std::uint64_t seed, std::size_t dimension, Purpose purpose) {
@@ -30,7 +30,7 @@ constexpr std::uint64_t random_bits(std::uint64_t key, std::uint64_t k) {
   return mixed_bits(key + (k + 1) * kGoldenStep);
 }
 
-/// The middle of the cell of width 2^-52 that the highest bits name: never 0, never 1.
+/// Middle of the cell of width 2^-52 given by the highest bits: never 0, never 1.
 constexpr double in_unit_interval(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52; }
 
 /// Direction numbers of each dimension, that of the lowest bit of the index first. In Gray-code
@@ -103,20 +103,19 @@ double normal_quantile(double u) {
 
 namespace {
 
-/// A design of a sampled plan: the sample, and which of its factors come from Saltelli's second
-/// matrix.
+/// A design of a sampled plan: the sample, and the factors from Saltelli's second matrix.
 struct Sample {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   static constexpr std::size_t kAll = static_cast<std::size_t>(-2);
 
   std::size_t index = 0;
   std::size_t from_second = kNone;  ///< Block.
-  std::size_t halved = kNone;       ///< Block whose deviation is, see `halved_blocks`.
+  std::size_t halved = kNone;       ///< Block whose deviation is halved, see `halved_blocks`.
 };
 
-/// Designs of each sample: one, or of `sobol_indices` A, B, and A with each column from B in turn
-/// (Saltelli et al. 2010, Computer Physics Communications 181, table 2).
-/// Those of `tolerances` are all drawn, and with each block halved in turn.
+/// Designs of each sample: one, or for `sobol_indices` A, B, and A with each column from B in turn (Saltelli et al.
+/// 2010, Computer Physics Communications 181, table 2). For `tolerances` with all drawn, and with each block halved in
+/// turn.
 std::size_t designs_per_sample(const Study& study) {
   if (study.plan == Plan::tolerances) return 1 + halved_blocks(study).size();
   return study.plan == Plan::sobol_indices ? blocks_of(study).size() + 2 : 1;
@@ -165,7 +164,7 @@ Draw drawn(const Factor& factor, double share) {
   return {.kind = Draw::Kind::level, .level = std::min(level, factor.levels.size() - 1)};
 }
 
-/// The factor that varies in design k of `one_at_a_time`, and its level.
+/// Draws the factor that varies in design k of `one_at_a_time`, and its level.
 void draw_one(const Study& study, std::size_t k, std::vector<Draw>& draws) {
   std::size_t level = k - 1;
   std::size_t factor = 0;
@@ -191,7 +190,7 @@ std::string override_text(const Factor& factor, const Level& level) {
   return fmt::format("{}={}", factor.path, level.text);
 }
 
-/// Takes a whole number from the head of a text.
+/// Removes a whole number from the head of a text and returns it.
 std::optional<std::size_t> take_number(std::string_view& text) {
   std::size_t number = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -200,7 +199,7 @@ std::optional<std::size_t> take_number(std::string_view& text) {
   return number;
 }
 
-/// The words that a factor can have, that of the file among them.
+/// Possible words of a factor, that of the file among them.
 std::vector<std::string> words_of(const Factor& factor) {
   std::vector<std::string> words;
   if (factor.is_numeric()) return words;
@@ -362,7 +361,7 @@ std::string name(Shard shard) { return fmt::format("{}/{}", shard.index + 1, sha
 
 DesignRange part(std::size_t designs, Shard shard) {
   const std::size_t share = designs / shard.count;
-  const std::size_t longer = designs % shard.count;  // The first of the shards have one more.
+  const std::size_t longer = designs % shard.count;  // The first shards have one more.
   const std::size_t first = shard.index * share + std::min(shard.index, longer);
   return {first, share + (shard.index < longer ? 1 : 0)};
 }

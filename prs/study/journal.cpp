@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// First word of a journal file. It also tells the byte order and, by its last digit, the format.
+/// First word of a journal file. It also shows the byte order and, by its last digit, the format.
 constexpr std::uint64_t kMagic = 0x3241'4e4a'2d53'5250;  // "PRS-JNA2" on a little-endian machine
 constexpr std::uint64_t kLongestHeader = 1u << 26;
 
@@ -49,7 +49,7 @@ std::uint64_t crc32c(std::string_view bytes) {
 
 std::uint64_t integer_at(std::string_view bytes, std::size_t offset) { return Cursor(bytes.substr(offset)).number(); }
 
-/// A sealed text: its length, itself and the checksum of both.
+/// A sealed text: its length, the text and the checksum of both.
 std::string sealed(std::string text) {
   std::string bytes;
   bytes.reserve(text.size() + 2 * kWord);
@@ -68,7 +68,7 @@ std::string_view content(std::string_view sealed_bytes) {
   return sealed_bytes.substr(kWord, sealed_bytes.size() - 2 * kWord);
 }
 
-/// Absent where the bytes are no block of a study with so many responses and designs.
+/// Decoded block; absent if the bytes are no block of a study with these numbers of responses and designs.
 std::optional<RowBlock> decode(std::string_view bytes, const JournalHeader& header) {
   Cursor cursor(content(bytes));
   RowBlock block;
@@ -104,7 +104,7 @@ std::string encode(const JournalHeader& header) {
   return bytes + sealed(std::move(text));
 }
 
-/// Absent where the bytes are not what `encode` gives for a header.
+/// Decoded header; absent if the bytes are not those of `encode` for a header.
 std::optional<JournalHeader> decode_header(std::string_view bytes) {
   Cursor cursor(content(bytes));
   const JournalHeader header{cursor.text(),
@@ -221,7 +221,7 @@ bool Journal::takes(std::string_view record) const { return is_whole(record) && 
 
 void Journal::append(std::string_view record) {
   if (const int error = write_all(file_, record); error != 0) {
-    // A part of a record that cannot be cut off now is cut off when the journal is read.
+    // An incomplete record that cannot be cut off now is cut off when the journal is read.
     if (::ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) fail(errno);
     fail(error);
   }

@@ -13,10 +13,10 @@ namespace prs {
 namespace {
 
 constexpr Eigen::Index kRowsAtOnce = 128;
-constexpr double kDependent = 1e-9;  // Share of a column's length that other columns leave.
+constexpr double kDependent = 1e-9;  // Share of a column's length that is independent of other columns.
 constexpr double kConstant = 1e-12;  // Relative deviations of a response that are rounding.
 
-/// The factor on its axis; nothing for words and for what does not vary.
+/// The factor on its axis; none for words and for constant factors.
 std::optional<NormalisedFactor> normalised(const Factor& factor, std::size_t index) {
   const auto [kind, first, second] = factor.distribution;
   const auto between = [&](double from, double to, bool logarithmic) {
@@ -261,7 +261,8 @@ ResponseIndices VarianceIndices::result() const {
 
 namespace {
 
-constexpr double kClearlyFollowed = 10.0;  // Percent of the effects on a response.
+// Share of the effects on a response from which a factor clearly matters [%].
+constexpr double kClearlyFollowed = 10.0;
 constexpr std::size_t kMostDrawsSeen = 64;
 
 bool has_numbers(std::span<const double> row) {
@@ -284,7 +285,7 @@ std::uint64_t hash_of(std::span<const double> row) {
 /// Weight of a level; the last level of a factor has minus the sum of the others.
 std::uint64_t level_weight(std::size_t level) { return mixed_bits(level + kGoldenStep); }
 
-/// The least and the largest value of a factor among the first designs; none where all are equal.
+/// Smallest and largest value of a factor among the first designs; none if all are equal.
 std::optional<std::pair<Draw, Draw>> extreme_draws(const Study& study, std::size_t factor) {
   const auto place = [](const Draw& draw) { return std::tuple(draw.level, draw.number); };
   std::vector<Draw> drawn;
@@ -330,7 +331,7 @@ void FollowedFactors::add_to_grid(std::span<const double> row, std::size_t desig
       if (g != f) line = mixed_bits(line + kGoldenStep + drawn[g].level);
     const std::size_t level = drawn[f].level;
     const bool last = level + 1 == study_.factors[f].levels.size();
-    // Odd numbers lose nothing modulo 2^64.
+    // Multiplication by odd numbers loses nothing modulo 2^64.
     seen_[f].sum += hash * (line | 1U) * (last ? seen_[f].last_weight : level_weight(level));
     seen_[f].compared = seen_[f].compared || has_numbers(row);
   }

@@ -18,23 +18,23 @@ namespace prs {
 /// extremes, which differ from it by the order of 1 / samples.
 struct NormalisedFactor {
   std::size_t factor = 0;  ///< Index in the study.
-  double centre = 0.0;     ///< In the factor's unit, or the logarithm of its number.
+  double centre = 0.0;     ///< Value in the factor's unit, or the logarithm of its number.
   double half_range = 1.0;
   bool logarithmic = false;
 
   double operator()(double value) const;
 };
 
-/// Those of the study's factors that are numbers and vary. Empty unless the plan is sampled.
+/// Factors of the study that are numbers and vary. Empty unless the plan is sampled.
 std::vector<NormalisedFactor> normalised_factors(const Study& study);
 
 /// Effect of one factor on a response over the ranges.
 struct FactorEffect {
   std::size_t factor = 0;  ///< Index in the study.
-  /// b_i, the change of the response from the centre to the end of the factor's range (of a normal
-  /// factor: by one standard deviation), in the unit of the response.
+  /// b_i, the change of the response from the centre to the end of the factor's range (for a normal factor: by one
+  /// standard deviation), in the unit of the response.
   double coefficient = 0.0;
-  /// Standard error of the coefficient; absent where no design is left over to estimate it.
+  /// Standard error of the coefficient; absent if no design is left to estimate it.
   std::optional<double> standard_error;
   /// |b_i| / sum |b| [%]: A_i of Yao et al. 2023, section 3.1, whose sum of signed coefficients is
   /// read as one of magnitudes, as their figures 8 and 9 draw it (bars of either sign that add up
@@ -42,46 +42,46 @@ struct FactorEffect {
   double contribution_percent = 0.0;
 };
 
-/// The linear polynomial that comes closest to a response, y = b_0 + sum b_i x_i.
+/// Linear polynomial closest to a response, y = b_0 + sum b_i x_i.
 struct LinearFit {
   double intercept = 0.0;
-  std::vector<FactorEffect> effects;  ///< The largest contribution first.
+  std::vector<FactorEffect> effects;  ///< Effects, the largest contribution first.
   double r_squared = 0.0;             ///< Share of the variance that the polynomial explains.
   std::optional<double> adjusted_r_squared;
 };
 
-/// Below this R^2 a ranking by linear contributions misses much of the variation.
+/// R^2 below which a ranking by linear contributions misses much of the variation.
 inline constexpr double kLowRSquared = 0.9;
 
-/// Most factors; with more, the fit would cost more per design than the solve.
+/// Largest number of factors; with more, the fit would cost more per design than the solve.
 inline constexpr std::size_t kMostFactorsOfSurface = 100;
 
 /// Linear response surfaces of all responses of a study.
 struct ResponseSurfaces {
-  std::size_t designs = 0;  ///< In the fit: converged, with a number for each response.
-  std::string reason = {};  ///< Why there is no fit; empty where there is one.
-  /// One per response; absent where the response does not vary. Empty where there is no fit.
+  std::size_t designs = 0;  ///< Number of designs in the fit: converged, with a number for each response.
+  std::string reason = {};  ///< Reason why there is no fit; empty if there is one.
+  /// One per response; absent if the response does not vary. Empty if there is no fit.
   std::vector<std::optional<LinearFit>> fits = {};
 };
 
-/// Least squares by orthogonal triangularisation of [1 X Y], block after block of rows (Golub & Van
-/// Loan 2013, sections 5.3 and 6.5), in memory that does not depend on the number of rows. The
-/// result depends on the order of the rows only, not on how they come.
+/// Least squares by orthogonal triangularisation of [1 X Y], block after block of rows (Golub & Van Loan 2013,
+/// sections 5.3 and 6.5), in memory that does not depend on the number of rows. The result depends only on the order of
+/// the rows, not on their blocks.
 class LinearRegression {
  public:
   LinearRegression() : LinearRegression(0, 0) {}
   LinearRegression(std::size_t factors, std::size_t responses);
 
-  /// A row of normalised factors and its responses, all of them finite.
+  /// Adds a row of normalised factors and its responses, all of them finite.
   void add(std::span<const double> x, std::span<const double> y);
 
   std::size_t rows() const { return rows_; }
 
-  /// The first column of X that does not vary, or moves with those before it.
+  /// First column of X that does not vary, or depends on those before it.
   std::optional<std::size_t> dependent_column() const;
 
-  /// One per response, absent where that does not vary, with effects in the order of the columns of
-  /// X. Needs more rows than there are factors, and no dependent column.
+  /// One fit per response, absent if that does not vary, with effects in the order of the columns of X. Needs more rows
+  /// than factors, and no dependent column.
   std::vector<std::optional<LinearFit>> fits() const;
 
  private:
@@ -93,21 +93,21 @@ class LinearRegression {
   Eigen::Index factors_ = 0;
   Eigen::Index responses_ = 0;
   std::size_t rows_ = 0;
-  Eigen::VectorXd first_;     ///< Responses of the first row, from which all others are counted.
+  Eigen::VectorXd first_;     ///< Responses of the first row, which are subtracted from all others.
   Eigen::VectorXd largest_;   ///< Largest magnitudes of the responses.
-  Eigen::MatrixXd triangle_;  ///< R of [1 X Y] = Q R, of all rows but the pending ones.
+  Eigen::MatrixXd triangle_;  ///< R of [1 X Y] = Q R, for all rows except the pending ones.
   Eigen::MatrixXd pending_;
   Eigen::Index pending_rows_ = 0;
 };
 
-/// The fits with the study's factors, ranked, or why there are none.
+/// Fits with the study's factors, ranked, or the reason why there are none.
 ResponseSurfaces response_surfaces(const LinearRegression& regression, const std::vector<NormalisedFactor>& factors,
                                    const Study& study);
 
 /// An estimate and the half width of its 95 % confidence interval.
 struct Estimate {
   double value = 0.0;
-  std::optional<double> half_width;  ///< Absent where the samples are too few to tell.
+  std::optional<double> half_width;  ///< Absent if there are too few samples.
 };
 
 /// Sobol indices of one response to one factor: shares of the response's variance.
@@ -119,10 +119,10 @@ struct FactorIndices {
 
 /// Sobol indices of one response.
 struct ResponseIndices {
-  std::size_t samples = 0;   ///< Samples in the estimate.
-  std::size_t left_out = 0;  ///< Samples with a design without a number for it.
+  std::size_t samples = 0;   ///< Number of samples in the estimate.
+  std::size_t left_out = 0;  ///< Samples in which a design has no number.
   double variance = 0.0;     ///< Variance of the response, in its unit squared.
-  /// The largest total index first; empty where the response does not vary.
+  /// Indices, the largest total one first; empty if the response does not vary.
   std::vector<FactorIndices> factors;
 };
 
@@ -139,16 +139,16 @@ struct ResponseIndices {
 /// intervals are wider than necessary, not narrower.
 class VarianceIndices {
  public:
-  /// The number of samples to come, failed ones included.
+  /// `samples`: number of samples to come, failed ones included.
   VarianceIndices(std::size_t factors, std::size_t samples);
 
-  /// The next sample: f_A, f_B, f_1 .. f_d. Left out and counted unless all are finite.
+  /// Adds the next sample: f_A, f_B, f_1 .. f_d. It is counted as left out unless all are finite.
   void add(std::span<const double> values);
 
   ResponseIndices result() const;
 
  private:
-  /// Sums over samples, of values counted from f_A of the first one. D_i = f_i - f_A.
+  /// Sums over samples of values minus f_A of the first one. D_i = f_i - f_A.
   struct Sums {
     double samples = 0.0;
     double a = 0.0, b = 0.0;    ///< f_A, f_B
@@ -173,29 +173,28 @@ class VarianceIndices {
   std::vector<Sums> batches_;
 };
 
-/// Tells which factors no response follows, from designs that differ in one factor alone: each
-/// value against the file's (`one_at_a_time`), the values of a line of a `grid`, and the pairs of
-/// `sobol_indices`. Other plans have no such designs and report no factor.
+/// Finds the factors that no response follows, from designs that differ in one factor alone: each value against the
+/// file's (`one_at_a_time`), the values of a line of a `grid`, and the pairs of `sobol_indices`. Other plans have no
+/// such designs and report no factor.
 ///
-/// The rows of a grid are not stored. For each factor a sum over all designs is: the row's hash,
-/// times a random number for the values of the other factors, times a weight for the factor's own
-/// value, the weights adding up to 0. The sum is 0 where the rows of each line are equal, and by
-/// chance once in 2^64.
+/// The rows of a grid are not stored. For each factor a sum over all designs is: the row's hash, times a random number
+/// for the values of the other factors, times a weight for the factor's own value, the weights adding up to 0. The sum
+/// is 0 if the rows of each line are equal, and by chance once in 2^64.
 class FollowedFactors {
  public:
   explicit FollowedFactors(const Study& study);
 
-  /// The responses of the next design, NaN where there is none.
+  /// Adds the responses of the next design, NaN if there are none.
   void add(std::span<const double> row, std::size_t design);
 
-  /// Indices of the factors over whose values every response stayed the same to the last bit.
+  /// Indices of the factors over whose values every response was equal bit by bit.
   std::vector<std::size_t> idle() const;
 
  private:
-  /// What was seen of one factor.
+  /// Findings on one factor.
   struct Seen {
     bool varies = false;
-    bool compared = false;  ///< A design that has numbers.
+    bool compared = false;  ///< Whether a design with numbers was compared.
     bool followed = false;
     std::uint64_t sum = 0;  ///< The sum above, for a grid.
     std::uint64_t last_weight = 0;
@@ -206,12 +205,12 @@ class FollowedFactors {
 
   Study study_;
   std::vector<Seen> seen_;
-  std::vector<double> reference_;  ///< The row that others differ from in one factor.
+  std::vector<double> reference_;  ///< The row from which others differ in one factor.
 };
 
-/// Idle factors of plans that draw all factors at once, from designs with the least and the largest
-/// value drawn of a factor, all others as in the file, then as in design 1. Factors with a
-/// tenth of the effects on a response, by `surfaces`, are not tried.
+/// Idle factors of plans that draw all factors at once, from designs with the smallest and the largest value drawn of a
+/// factor, all others as in the file, then as in design 1. Factors with a tenth of the effects on a response, by
+/// `surfaces`, are not tried.
 std::vector<std::size_t> idle_drawn_factors(
     const Study& study, const ResponseSurfaces* surfaces,
     const std::function<RowBlock(const std::vector<std::vector<Draw>>&)>& evaluate);

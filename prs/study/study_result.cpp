@@ -44,7 +44,7 @@ class Moments {
   std::size_t max_design_ = 0;
 };
 
-/// The rows of up to `kMostValuesKept` designs, those whose numbers have the smallest hashes.
+/// Rows of up to `kMostValuesKept` designs, those whose numbers have the smallest hashes.
 class KeptRows {
  public:
   explicit KeptRows(std::size_t responses) : responses_(responses) {}
@@ -67,7 +67,7 @@ class KeptRows {
   }
 
  private:
-  /// Hashes of different designs differ.
+  /// Removes rows with larger hashes, which differ between designs.
   void leave_out_others() {
     if (hashes_.size() <= kMostValuesKept) return;
     std::vector<std::uint64_t> hashes = hashes_;
@@ -86,12 +86,12 @@ class KeptRows {
   }
 
   std::size_t responses_ = 0;
-  std::uint64_t largest_ = std::numeric_limits<std::uint64_t>::max();  ///< Hash that is taken.
+  std::uint64_t largest_ = std::numeric_limits<std::uint64_t>::max();  ///< Largest hash that is kept.
   std::vector<std::uint64_t> hashes_;
   std::vector<double> values_;
 };
 
-/// Quantiles at `kProbabilities`, from values that it sorts.
+/// Quantiles at `kProbabilities`, from values that are sorted here.
 std::array<double, kProbabilities.size()> quantiles(std::vector<double>& values) {
   std::ranges::sort(values);
   std::array<double, kProbabilities.size()> found{};
@@ -104,7 +104,7 @@ std::array<double, kProbabilities.size()> quantiles(std::vector<double>& values)
   return found;
 }
 
-/// Twice the cube root of the number of values for classes (Rice's rule).
+/// Histogram with twice the cube root of the number of values as number of classes (Rice's rule).
 Histogram histogram(const std::vector<double>& values) {
   const auto [least, largest] = std::ranges::minmax(values);
   Histogram h{least, largest, {}};
@@ -197,16 +197,16 @@ struct StudyAnalysis::Parts {
   FollowedFactors followed;
   std::vector<FactorColumn> columns;
   std::vector<NormalisedFactor> factors;
-  std::vector<std::size_t> input_of_factor;  ///< Among `drawn_inputs`.
-  std::size_t next = 0;                      ///< Design.
+  std::vector<std::size_t> input_of_factor;  ///< Index among `drawn_inputs`.
+  std::size_t next = 0;                      ///< Next design.
   std::vector<Moments> moments;
   KeptRows kept;
-  std::string reason;  ///< Why there is no response surface.
+  std::string reason;  ///< Reason why there is no response surface.
   LinearRegression regression;
   std::vector<double> x;                    ///< Normalised factors of one design.
   std::vector<VarianceIndices> indices;     ///< One per response, for plan sobol_indices.
   std::vector<std::vector<double>> sample;  ///< A response of the designs of one sample.
-  /// For plan tolerances: values as drawn and with each factor halved, by responses.
+  /// Values as drawn and with each factor halved, by responses, for plan tolerances.
   std::vector<std::vector<std::vector<double>>> drawn;
 
   std::vector<ToleranceGain> gains(std::size_t response) {
@@ -218,7 +218,7 @@ struct StudyAnalysis::Parts {
     std::ranges::stable_sort(all, std::greater<>(), &ToleranceGain::gain);
     return all;
   }
-  std::optional<GridMapCollector> maps;  ///< For a study with an envelope.
+  std::optional<GridMapCollector> maps;  ///< Present for a study with an envelope.
 };
 
 StudyAnalysis::StudyAnalysis(const Study& study) : parts_(std::make_unique<Parts>(study)) {}
@@ -299,7 +299,7 @@ std::vector<std::size_t> nodes_of(const GridMaps& maps) {
   return nodes;
 }
 
-/// An input between two nodes; that of the nearer node where it has no such value.
+/// An input between two nodes; that of the nearer node if it has no such value.
 Level level_at(const Factor& input, const MapAxis& axis, double place) {
   const auto [node, share] = between(place, axis.nodes());
   const Level& from = input.levels[axis.levels[node]];
@@ -309,14 +309,14 @@ Level level_at(const Factor& input, const MapAxis& axis, double place) {
   return {fmt::format("{:.15g}{}{}", number, input.unit.empty() ? "" : " ", input.unit), number};
 }
 
-/// How far beyond a cell, in shares of it, rounding may put a root.
+/// Distance beyond a cell, in shares of it, at which rounding may put a root.
 constexpr double kRoundingOfRoot = 1e-9;
 
 std::size_t index_of(const Study& study, const std::string& response) {
   return static_cast<std::size_t>(std::ranges::find(study.responses, response) - study.responses.begin());
 }
 
-/// Root mean square and number of what is finite.
+/// Root mean square and number of the finite values.
 struct MeanSquare {
   double rms = 0.0;
   double largest = 0.0;  ///< Magnitude.
@@ -342,7 +342,7 @@ double normalisation(Envelope::Normalise normalise, const MeanSquare& mean) {
   return by > 0.0 ? by : 1.0;
 }
 
-/// E of normalised measures; NaN where it is no finite number.
+/// E of normalised measures; NaN if it is not finite.
 double combined(Envelope::Combine combine, std::span<const MeasureMap> measures, std::span<const double> normalised) {
   const bool product = combine == Envelope::Combine::product;
   double value = product ? 1.0 : 0.0;
@@ -371,7 +371,7 @@ struct Bilinear {
   double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
 };
 
-/// Places at which two of them are 0.
+/// Places at which both are 0.
 std::vector<MapPlace> zeros(const Bilinear& f, const Bilinear& g) {
   std::vector<MapPlace> found;
   const auto in_cell = [](double x) { return x >= -kRoundingOfRoot && x <= 1.0 + kRoundingOfRoot; };
@@ -429,7 +429,7 @@ class Evaluator {
     return {static_cast<double>(node / row), static_cast<double>(node % row)};
   }
 
-  /// The place with the largest envelope; any place where none has an envelope.
+  /// The place with the largest envelope; any place if none has an envelope.
   std::optional<MapPlace> best_of(const std::vector<MapPlace>& places) const {
     std::optional<MapPlace> best;
     double largest = -HUGE_VAL;
@@ -505,7 +505,7 @@ class Evaluator {
     return ends;
   }
 
-  /// Why no place meets the targets.
+  /// Reason why no place meets the targets.
   std::string reason(const std::vector<Envelope::Target>& targets) const {
     std::string text;
     for (const Envelope::Target& target : targets) {

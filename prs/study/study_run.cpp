@@ -19,7 +19,7 @@
 namespace prs {
 namespace {
 
-/// The rows of a block that answer `designs`, which it holds.
+/// Rows of a block for `designs`, which it contains.
 RowBlock cropped(const RowBlock& block, DesignRange designs) {
   const std::size_t skipped = designs.first - block.first;
   const std::size_t width = block.responses.size() / block.rows;
@@ -33,7 +33,7 @@ RowBlock cropped(const RowBlock& block, DesignRange designs) {
 
 namespace fs = std::filesystem;
 
-/// Designs to give away, in their order.
+/// Designs to distribute, in their order.
 class RangeQueue {
  public:
   explicit RangeQueue(std::vector<DesignRange> ranges) : ranges_(std::move(ranges)) {}
@@ -52,8 +52,8 @@ class RangeQueue {
   std::size_t at_ = 0;
 };
 
-/// The journals of the study that others wrote into the folder. Those of other studies are errors
-/// where no shard can have left them.
+/// Journals of the study that others wrote into the folder. Those of other studies are errors if no shard can have left
+/// them.
 std::vector<Journal> others(const StudyFolder& folder, const JournalHeader& header, const StudyRunOptions& options) {
   std::vector<Journal> journals;
   const fs::path own = journal_path(folder.path(), header.shard);
@@ -85,7 +85,7 @@ std::vector<Journal> open_journals(const StudyFolder* folder, const JournalHeade
   return journals;
 }
 
-/// What is missing of each shard, as many as there are shards in the finest division.
+/// Missing designs of each shard, with as many shards as in the finest division.
 std::string missing_shards(const StoredRows& rows, std::size_t designs) {
   std::size_t shards = 1;
   for (const Journal& journal : rows.journals()) shards = std::max(shards, journal.header().shard.count);
@@ -100,7 +100,7 @@ std::string missing_shards(const StoredRows& rows, std::size_t designs) {
     std::size_t absent = 0;
     for (; gap != gaps.end() && gap->first < all.end(); ++gap) {
       absent += std::min(gap->end(), all.end()) - std::max(gap->first, all.first);
-      if (gap->end() > all.end()) break;  // It goes on in the next shard.
+      if (gap->end() > all.end()) break;  // The gap continues in the next shard.
     }
     if (absent == 0 || ++incomplete > kMostNamed) continue;
     text += fmt::format("\n  shard {}: {} of {} designs are missing", name(shard), absent, all.count);
@@ -109,10 +109,10 @@ std::string missing_shards(const StoredRows& rows, std::size_t designs) {
   return text;
 }
 
-/// Blocks on their way, a thread: enough that no thread waits for another.
+/// Blocks in progress per thread: enough that no thread waits for another.
 constexpr std::size_t kBlocksPerThread = 4;
 
-/// PipelineModule::run on items that are kept here. One thread does without the module.
+/// PipelineModule::run on items that are kept here. A single thread does not need the module.
 template <class Item, class Give, class Prepare, class Take>
 void run_pipeline(std::size_t threads, bool in_order, const Give& give, const Prepare& prepare, const Take& take) {
   std::vector<Item> items(threads == 1 ? 1 : kBlocksPerThread * threads);
@@ -176,7 +176,7 @@ StudyFolder::StudyFolder(fs::path path, Use use, const std::string& command)
     : path_(std::move(path)), use_(use), lock_(path_, use == Use::alone ? LOCK_EX : LOCK_SH, {command}) {}
 
 void StudyFolder::remove_journals() const {
-  // The names of the files reach the disk before those of the journals are gone.
+  // The names of the files must reach the disk before the journals are removed.
   const FileDescriptor folder(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.is_open()) ::fsync(folder.get());
   for (const fs::path& path : journal_paths(path_)) fs::remove(path);
@@ -248,21 +248,21 @@ using Clock = std::chrono::steady_clock;
 
 /// Messages to the first rank, and its answer.
 enum Tag {
-  kHello,   ///< How many blocks the rank wants to have on their way.
-  kRecord,  ///< An encoded block, the last of what the rank was given at once.
-  kPart,    ///< One before it.
-  kRange,   ///< The next in its place; without designs: none.
+  kHello,   ///< Number of blocks that the rank wants to have in progress.
+  kRecord,  ///< An encoded block, the last of the designs granted at once.
+  kPart,    ///< An earlier block of them.
+  kRange,   ///< The next range in its place; without designs: none.
 };
 
-/// Between two looks at the mail: waiting inside MPI would take a processor.
+/// Time between two checks of the mail: waiting inside MPI would occupy a processor.
 constexpr auto kPause = std::chrono::microseconds(100);
 
-/// Time that a rank should spend on what it is given at once, so that the first rank is not asked
-/// too often, and the most blocks of that.
+/// Time that a rank should spend on designs granted at once, so that the first rank is not asked too often, and the
+/// largest number of blocks in them.
 constexpr double kGrantSeconds = 0.02;
 constexpr double kMostChunks = 64.0;
 
-/// Blocks on their way, a thread.
+/// Blocks in progress per thread.
 constexpr std::size_t kPlacesPerThread = 3;
 
 /// Whether a launcher started this process as one of several.
@@ -278,7 +278,7 @@ std::string content_of(std::initializer_list<std::uint64_t> numbers) {
   return content;
 }
 
-/// Values from one thread for another.
+/// Values passed from one thread to another.
 template <class Value>
 class Mailbox {
  public:
@@ -311,7 +311,7 @@ class Mailbox {
   std::deque<Value> values_;
 };
 
-/// How many designs a rank should get at once: as many as it does in `kGrantSeconds`.
+/// Number of designs that a rank should get at once: as many as it does in `kGrantSeconds`.
 class GrantSize {
  public:
   explicit GrantSize(std::size_t chunk) : chunk_(chunk) {}
@@ -380,7 +380,7 @@ void Ranks::lead(const NextRange& next, const TakeRecord& take, std::size_t chun
   if (size_ == 1) return run(next, take);
   std::exception_ptr error;
   std::atomic<bool> failed = false;
-  // After an error nobody gets more.
+  // After an error no more designs are granted.
   const auto next_unless_failed = [&](std::size_t most) { return failed ? std::nullopt : next(most); };
   std::thread own([&] {
     try {
@@ -408,7 +408,7 @@ void Ranks::lead(const NextRange& next, const TakeRecord& take, std::size_t chun
 void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chunk) {
   served_ = true;
   GrantSize grant(chunk);
-  std::size_t places = 0;  // Of all ranks heard of: each has a block on its way, or none any more.
+  std::size_t places = 0;  // Places of all known ranks: each has a block in progress, or has finished.
   std::size_t idle = 0;
   int heard_of = 1;
   const auto answer = [&](int rank) {
@@ -436,7 +436,7 @@ void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chu
 void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
   served_ = true;
   Mailbox<DesignRange> ranges;
-  std::set<std::size_t> ends;  ///< Ends of the ranges that were given and are not done.
+  std::set<std::size_t> ends;  ///< Ends of the ranges that were granted and are not done.
   Mailbox<std::string> records;
   std::size_t places = kPlacesPerThread * threads;
   communicator_->send(0, kHello, content_of({places}));
@@ -475,7 +475,7 @@ std::size_t available_processors() {
   cpu_set_t own;
   CPU_ZERO(&own);
   if (sched_getaffinity(0, sizeof own, &own) == 0) return static_cast<std::size_t>(CPU_COUNT(&own));
-  return std::max(1u, std::thread::hardware_concurrency());  // More than the set can hold.
+  return std::max(1u, std::thread::hardware_concurrency());  // There are more than the set can hold.
 }
 
 std::size_t default_threads() {

@@ -5,39 +5,37 @@
 
 namespace prs {
 
-/// Answers designs [first, first + count), or the first of them where that takes long; none once
-/// the run is interrupted. A pure function, called from many threads at once.
+/// Evaluates designs [first, first + count), or the first of them if that takes long; none after the run is
+/// interrupted. A pure function, called from many threads at once.
 using Evaluate = std::function<RowBlock(std::size_t first, std::size_t count)>;
 
-/// The next designs to evaluate, about `most` of them; none once all are given away. From any
-/// thread.
+/// The next designs to evaluate, about `most` of them; none after all are given away. From any thread.
 using NextRange = std::function<std::optional<DesignRange>(std::size_t most)>;
 
-/// Takes an encoded block, in any order, from any thread.
+/// Receives an encoded block, in any order, from any thread.
 using TakeRecord = std::function<void(const std::string& record)>;
 
-/// Processors that this process may use.
+/// Number of processors that this process may use.
 std::size_t available_processors();
 
-/// Threads of a run whose user names no number: one per processor, or one where TBB is missing.
+/// Default number of threads of a run: one per processor, or one if TBB is missing.
 std::size_t default_threads();
 
-/// Evaluates `chunk` designs at a time on `threads` threads until none is left, and encodes them,
-/// in as many blocks as `evaluate` makes of them. The number of blocks under way is limited, so
-/// that a slow `take` slows the rest down. An exception in one of the functions ends the run and is
-/// thrown again.
+/// Evaluates `chunk` designs at a time on `threads` threads until none is left, and encodes them, in as many blocks as
+/// `evaluate` makes of them. The number of blocks in progress is limited, so that a slow `take` slows the rest down. An
+/// exception in one of the functions ends the run and is rethrown.
 void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next, const Evaluate& evaluate,
                   const TakeRecord& take);
 
-/// Calls `prepare(k)` for k = 0 .. count-1 on `threads` threads, and what it returns one at a time
-/// in the order of k.
+/// Calls `prepare(k)` for k = 0 .. count-1 on `threads` threads, and the functions that it returns one at a time in the
+/// order of k.
 void run_in_order(std::size_t count, std::size_t threads,
                   const std::function<std::function<void()>(std::size_t k)>& prepare);
 
-/// The rows that journals of one study hold: each design once, in the order of designs.
+/// Rows in the journals of one study: each design once, in the order of designs.
 class StoredRows {
  public:
-  /// Journals of one key; what several of them hold is taken from one.
+  /// Journals of one key; a design in several of them is taken from one.
   explicit StoredRows(std::vector<Journal> journals);
 
   const std::vector<Journal>& journals() const { return journals_; }
@@ -48,11 +46,11 @@ class StoredRows {
 
   std::size_t block_count() const { return pieces_.size(); }
 
-  /// Block k; its designs follow those of the block before. From any thread.
+  /// Block k; its designs follow those of the previous block. From any thread.
   RowBlock block(std::size_t k) const;
 
  private:
-  /// What is taken of a record.
+  /// Part taken from a record.
   struct Piece {
     std::size_t journal = 0;
     std::size_t record = 0;
@@ -63,13 +61,13 @@ class StoredRows {
   std::vector<Piece> pieces_;
 };
 
-/// `study.3-of-8.journal`; that of a study in one piece is `study.1-of-1.journal`.
+/// Path such as `study.3-of-8.journal`; for a study in one piece `study.1-of-1.journal`.
 std::filesystem::path journal_path(const std::filesystem::path& folder, Shard shard);
 
 /// The journals in a folder, sorted by name.
 std::vector<std::filesystem::path> journal_paths(const std::filesystem::path& folder);
 
-/// The folder that a study writes into, kept from other studies as long as the object lives.
+/// The folder that a study writes into, locked against other studies as long as the object lives.
 class StudyFolder {
  public:
   enum class Use {
@@ -77,13 +75,13 @@ class StudyFolder {
     among_shards,  ///< Processes of other shards may.
   };
 
-  /// See `FolderLock`; `command` is what other runs are told that uses the folder.
+  /// Locks the folder, see `FolderLock`; `command`: name shown to other runs that use the folder.
   StudyFolder(std::filesystem::path path, Use use, const std::string& command = "prs study");
 
   const std::filesystem::path& path() const { return path_; }
   Use use() const { return use_; }
 
-  /// Removes the journals. Call it once the files of the study are on the disk.
+  /// Removes the journals. Call it after the files of the study are on the disk.
   void remove_journals() const;
 
  private:
@@ -95,7 +93,7 @@ class StudyFolder {
 /// Evaluates designs until `next` has none left: `run_schedule` here, or on several ranks.
 using RunDesigns = std::function<void(const NextRange& next, const TakeRecord& take)>;
 
-/// How far a run is. `found` designs had been computed before it began.
+/// Progress of a run. `found` designs had been computed before it began.
 struct StudyProgress {
   std::size_t done = 0;
   std::size_t found = 0;
@@ -103,35 +101,33 @@ struct StudyProgress {
 };
 
 struct StudyRunOptions {
-  bool restart = false;                    ///< Discards what was computed before.
-  std::function<bool()> interrupted = {};  ///< Asked before designs are given away.
-  /// Told first, and after each block; from any thread.
+  bool restart = false;                    ///< Whether to discard earlier results.
+  std::function<bool()> interrupted = {};  ///< Called before designs are given away.
+  /// Called first, and after each block; from any thread.
   std::function<void(StudyProgress)> progress = {};
-  std::function<void(const std::string&)> warn = {};  ///< Told what is odd about the folder.
+  std::function<void(const std::string&)> warn = {};  ///< Called with warnings about the folder.
 };
 
-/// Computes the designs of `header.shard` that no journal in the folder holds, into the journal of
-/// that shard; without a folder, into a temporary file. Returns all rows computed so far; some are
-/// missing where the run was interrupted. The journals stay. Throws
-/// StudyFolderError, std::system_error, and what `run` throws.
+/// Computes the designs of `header.shard` that no journal in the folder holds, into the journal of that shard; without
+/// a folder, into a temporary file. Returns all rows computed so far; some are missing if the run was interrupted. The
+/// journals stay. Throws StudyFolderError, std::system_error, and the exceptions of `run`.
 StoredRows run_study(const JournalHeader& header, const StudyFolder* folder, const RunDesigns& run,
                      const StudyRunOptions& options);
 
-/// The rows that the journals in the folders hold. Throws StudyFolderError where there is none,
-/// where they are of different studies, and where designs are missing, which it then names.
+/// Rows in the journals of the folders. Throws StudyFolderError if there are none, if they are of different studies,
+/// and if designs are missing, which it then names.
 StoredRows gather_rows(const std::vector<std::filesystem::path>& folders);
 
-/// The processes that an MPI launcher (`mpirun`, `srun`) started together. Without a launcher, and
-/// where MPI knows of one process only, the first rank is alone; without a launcher MPI is not even
-/// loaded.
+/// The processes that an MPI launcher (`mpirun`, `srun`) started together. Without a launcher, or with a single
+/// process, the first rank is alone; without a launcher MPI is not even loaded.
 ///
-/// The first rank gives designs away and takes all rows, so that neither results nor files depend
-/// on the number of ranks and only it needs the disk; it evaluates designs too. The others ask for
-/// more whenever they deliver. A rank that dies ends the job, as launchers do.
+/// The first rank distributes designs and receives all rows, so that neither results nor files depend on the number of
+/// ranks and only it needs the disk; it evaluates designs too. The others request more whenever they deliver. A rank
+/// that dies ends the job, as launchers do.
 class Ranks {
  public:
-  /// `join` false: alone in any case. Throws modules::Missing where a launcher started several
-  /// processes and this build has no MPI.
+  /// `join` false: alone in any case. Throws modules::Missing if a launcher started several processes and this build
+  /// has no MPI.
   explicit Ranks(bool join);
   /// The first rank ends the work of the others; all ranks wait for each other.
   ~Ranks();
@@ -141,32 +137,30 @@ class Ranks {
   int size() const { return size_; }
   bool is_first() const { return rank_ == 0; }
 
-  /// Threads that each rank should run: the processors that the ranks of this machine may use, in
-  /// equal parts.
+  /// Number of threads of each rank: the processors that the ranks of this machine may use, in equal parts.
   std::size_t threads() const;
 
-  /// Whether all ranks say the same. Every rank must call it.
+  /// Whether all ranks have the same text. Every rank must call it.
   bool agree(const std::string& text) const;
 
-  /// What `make` gives on the first rank, on all ranks. Every rank must call it. Where `make`
-  /// throws, the others get nothing.
+  /// Result of `make` on the first rank, on all ranks. Every rank must call it. If `make` throws, the others get none.
   std::optional<std::string> share(const std::function<std::string()>& make) const;
 
-  /// First rank: `run` here, while the other ranks do their part of it.
+  /// First rank: calls `run` here, while the other ranks do their part of it.
   void lead(const NextRange& next, const TakeRecord& take, std::size_t chunk, const RunDesigns& run);
 
-  /// Other ranks: evaluates designs that the first rank gives, on `threads` threads, until it ends
-  /// the work. A rank that does not call it takes no part.
+  /// Other ranks: evaluates designs from the first rank, on `threads` threads, until that ends the work. A rank that
+  /// does not call it takes no part.
   void assist(const Evaluate& evaluate, std::size_t threads);
 
  private:
-  /// Answers the other ranks with designs of `next` until none of them computes any more.
+  /// Answers the other ranks with designs of `next` until all have finished.
   void serve(const NextRange& next, const TakeRecord& take, std::size_t chunk);
 
-  std::unique_ptr<Communicator> communicator_;  ///< Without a launcher: none.
+  std::unique_ptr<Communicator> communicator_;  ///< Null without a launcher.
   int rank_ = 0;
   int size_ = 1;
-  bool served_ = false;  ///< First rank: the others are done; others: they have been heard of.
+  bool served_ = false;  ///< First rank: whether the others are done; others: whether they have contacted it.
 };
 
 }  // namespace prs

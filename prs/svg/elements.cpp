@@ -27,7 +27,7 @@ int channel_of(std::string_view colour, std::size_t channel) {
   return level;
 }
 
-/// At a share of the scale's length.
+/// Colour at a share of the scale's length.
 std::string colour_at(double share) {
   constexpr auto kLast = static_cast<double>(std::size(kScaleColours) - 1);
   const double at = std::clamp(share, 0.0, 1.0) * kLast;
@@ -123,7 +123,7 @@ constexpr short kWidths[] = {318,  401, 460, 838, 636, 950, 780, 275, 390, 390, 
                              635,  635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838};
 static_assert(std::size(kWidths) == 95);
 
-constexpr int kOther = 700, kWide = 1000;  // Of letters beyond ASCII, and of those of East Asia.
+constexpr int kOther = 700, kWide = 1000;  // Widths of letters beyond ASCII, and of those of East Asia.
 
 }  // namespace
 
@@ -131,7 +131,7 @@ double text_width(std::string_view text) {
   int thousandths = 0;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 && byte < 0xc0) continue;  // Not the first byte of a letter.
+    if (byte >= 0x80 && byte < 0xc0) continue;  // Not the first byte of a character.
     thousandths += byte >= 0xe3                  ? kWide
                    : byte >= 0xc0                ? kOther
                    : byte >= 0x20 && byte < 0x7f ? kWidths[byte - 0x20]
@@ -203,23 +203,23 @@ namespace {
 constexpr int kRight = 34, kTop = 70, kRowGap = 46, kTitleGap = 34, kBottom = 34, kLabel = 44;
 constexpr int kTickHeight = 36, kMostTicks = 9;
 constexpr int kLegendRow = 25, kLegendMargin = 14, kLegendSymbol = 70;
-constexpr int kColourBarHeight = 14, kColourBarRoom = 78;  // The room with numbers and label.
-constexpr double kColourBarWidth = 0.5;                    // Share of the image.
-constexpr double kBetweenTicks = 14.0;                     // Pixels, at least.
+constexpr int kColourBarHeight = 14, kColourBarRoom = 78;  // Height of the bar; with numbers and label.
+constexpr double kColourBarWidth = 0.5;                    // Width as a share of the image.
+constexpr double kBetweenTicks = 14.0;                     // Smallest distance in pixels.
 
-/// At which at most `count` ticks fit in the length.
+/// Distance with which at most `count` ticks fit in the length.
 double tick_distance(double length, int count, bool whole) {
   const double distance = round_step(length / std::max(1, count));
   return whole ? std::max(1.0, std::round(distance)) : distance;
 }
 
-/// Pixels of the numbers at both ends.
+/// Width in pixels of the wider number of both ends.
 double longest_number(const Axis& axis, double distance) {
   return std::max(text_width(tick_text(distance * std::round(axis.from / distance), distance)),
                   text_width(tick_text(distance * std::round(axis.to / distance), distance)));
 }
 
-/// 1, 2 and 5 of each decade, or fewer.
+/// Ticks at 1, 2 and 5 of each decade, or fewer.
 std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_horizontal) {
   const std::size_t most =
       std::max<std::size_t>(2, static_cast<std::size_t>(pixels / (is_horizontal ? 48 : kTickHeight)));
@@ -241,7 +241,7 @@ std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_hori
   return ticks;
 }
 
-/// Pixels of the longest tick.
+/// Width in pixels of the longest tick.
 double longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
   if (axis.hidden) return 0.0;
   double longest = longest_text(axis);
@@ -256,9 +256,9 @@ double longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
   return longest;
 }
 
-/// A little more about its middle where there is no range to see.
+/// Axis widened about its middle if its range is too small to see.
 Axis with_length(Axis axis) {
-  constexpr double kLeast = 2e-6;  // Of the numbers, which are written with seven digits.
+  constexpr double kLeast = 2e-6;  // Smallest range relative to the numbers, which are written with seven digits.
   if (!(std::isfinite(axis.from) && std::isfinite(axis.to)) || axis.logarithmic) return axis;
   const double size = std::max(std::abs(axis.from), std::abs(axis.to));
   const double margin = size > 0.0 ? kLeast * size : 1.0;
@@ -268,7 +268,7 @@ Axis with_length(Axis axis) {
   return axis;
 }
 
-/// Pixels that ticks and label take to the left of a panel.
+/// Width in pixels of ticks and label to the left of a panel.
 int room_left(const Figure& figure, const Panel& panel, int height, bool labelled) {
   const Axis axis = with_length(y_axis(figure, panel));
   if (axis.hidden || panel.surface) return 0;
@@ -348,7 +348,7 @@ Layout::Layout(const Figure& figure, int image_width)
   const double first = overview_ ? figure.overview : 1.0;
   const double usual = overview_ ? 0.75 : columns_ == 1 && width_ == kImageWidth ? 0.5 : columns_ <= 2 ? 0.65 : 0.8;
   const double aspect = figure.aspect > 0.0 ? figure.aspect : usual;
-  // The height of a panel follows from its width, and how labels break from that height.
+  // The height of a panel follows from its width, and the line breaks of labels from that height.
   for (int pass = 0; pass < 3; ++pass) {
     const int height = pass == 0 ? 240 : panel_height_;
     left_ = 40;
@@ -430,9 +430,9 @@ std::pair<Axis, Axis> drawn_axes(const Figure& figure, const Layout& layout, std
 
 namespace {
 
-constexpr double kLooseEnds = 0.04;  // Room at the ends of a free axis.
+constexpr double kLooseEnds = 0.04;  // Share of empty space at the ends of a free axis.
 
-/// All that a panel shows along one axis, 0 for x.
+/// Range of the data of a panel along one axis, 0 for x.
 Range shown_range(const Panel& panel, std::size_t axis) {
   Range range;
   for (const Series& series : panel.series)
@@ -454,7 +454,7 @@ void fit(Axis& axis, Range range) {
   if (!std::isfinite(axis.to)) axis.to = range.to;
 }
 
-/// A free axis of the figure, over what all panels that share it show, and those of panels.
+/// Fits a free axis of the figure to the data of all panels that share it, and the panels' own axes.
 void fit(Figure& figure, Axis& shared, std::optional<Axis> Panel::*own, std::size_t axis) {
   Range all;
   for (Panel& panel : figure.panels)

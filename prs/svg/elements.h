@@ -8,36 +8,36 @@
 
 namespace prs {
 
-/// A text as HTML and SVG show it: `printable`, with markup escaped.
+/// A text for HTML and SVG: `printable`, with markup escaped.
 std::string html(std::string_view text);
 
-/// As `{:.1f}` has it, which pictures are full of; numbers beyond a picture need not be exact.
+/// Number as `{:.1f}` formats it, frequent in pictures; numbers beyond a picture need not be exact.
 std::string tenth_of(double value);
 
-/// Tenths of a unit as a path has them: short, without a space before a sign.
+/// Appends tenths of a unit to a path: short, without a space before a sign.
 void append_tenths(std::string& path, long tenths, bool first);
 
 /// A number at a tick, no finer than its step needs, with a typographic minus.
 std::string tick_text(double value, double step);
 
-/// A text element. The classes say how it is aligned.
+/// A text element. The classes determine its alignment.
 std::string text(double x, double y, std::string_view classes, std::string_view content, std::string_view more = "");
 
-constexpr int kLineHeight = 17;  ///< Between lines of text.
+constexpr int kLineHeight = 17;  ///< Distance of lines of text.
 
 /// Lines of text, the last one at y.
 std::string texts(double x, double y, std::string_view classes, const std::vector<std::string>& lines,
                   std::string_view more = "");
 
-/// The attribute that turns a text about its place, in degrees.
+/// The attribute that turns a text about its position, in degrees.
 std::string turned(double x, double y, int angle);
 
 std::string segment(double x1, double y1, double x2, double y2, std::string_view attributes);
 
-/// Pixels that a text takes in the widest of the fonts that stand for Helvetica or Arial.
+/// Width in pixels of a text in the widest of the fonts that replace Helvetica or Arial.
 double text_width(std::string_view text);
 
-/// A text's rectangle in a picture, pixels from the upper left.
+/// Rectangle of a text in a picture, pixels from the upper left.
 struct TextBox {
   double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
 
@@ -46,31 +46,30 @@ struct TextBox {
   }
 };
 
-/// Box of a line of text of which `share` lies left of x: 1 ends, 0 begins, 0.5 centres it there.
+/// Box of a line of text with `share` of it to the left of x: 1 ends, 0 begins, 0.5 centres it there.
 TextBox text_box(std::string_view text, double x, double baseline, double share);
 
-/// Those of `Colour`.
+/// Colours of `Colour`.
 inline constexpr std::string_view kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
                                                 "#000000", "#7f7f7f", "#555555", "#aaaaaa", "#cc3311"};
-/// Colours of scales, from the least to the largest value, in equal steps.
+/// Colours of scales, from the smallest to the largest value, in equal steps.
 inline constexpr std::string_view kScaleColours[] = {"#ffffe5", "#fee391", "#fec44f", "#ec7014", "#cc4c02"};
 /// Widths of lines and sizes of marks, by `Weight`.
 inline constexpr double kLineWidths[] = {1.0, 1.6, 2.4};
 inline constexpr double kMarkSizes[] = {0.4, 0.75, 1.1};
 
-/// The entry of a table by an enumerator.
+/// Entry of a table for an enumerator.
 template <class Table, class Value>
 const auto& look(const Table& table, Value value) {
   return table[static_cast<std::size_t>(value)];
 }
 
-/// The colours that a scale shows: one per band between its levels, or so many steps that they look
-/// continuous.
+/// Colours of a scale: one per band between its levels, or enough steps to look continuous.
 class ScaleSteps {
  public:
   explicit ScaleSteps(const ColourScale& scale);
 
-  /// Which of the colours a value has, from 0; -1 where there is none.
+  /// Index of the colour of a value; -1 if it has none.
   int step(double value) const;
   std::string colour(double value) const {
     const int at = step(value);
@@ -88,36 +87,35 @@ class ScaleSteps {
 /// Attributes of a line: class, width and dashes.
 std::string stroke(const Style& style);
 
-/// The rules that the classes of all pictures follow. On a page (`themed`) colours are the
-/// variables of its theme, `--ink`, `--quiet`, `--line` and `--paper`, and those of `svg_style`;
-/// else those on white paper.
+/// Rules for the classes of all pictures. On a page (`themed`) colours are the variables of its theme, `--ink`,
+/// `--quiet`, `--line` and `--paper`, and those of `svg_style`; else those for white paper.
 std::string svg_rules(bool themed);
 
-// Texts, ticks and places of a drawn figure. Pixels are those of the SVG; a PNG has twice as many.
-// Printed 170 mm wide, the text has 8 pt.
+// Dimensions of a drawn figure. Pixels are those of the SVG; a PNG has twice as many. Printed 170 mm wide, the text has
+// 8 pt.
 
 inline constexpr int kImageWidth = 900;
-inline constexpr int kHalfWidth = 450;  ///< Width of a single panel, as a phone shows it.
+inline constexpr int kHalfWidth = 450;  ///< Width of a single panel, as on a phone.
 inline constexpr int kFontSize = 15;
-inline constexpr double kSlope = 0.6;  ///< Slope of slanted texts below an axis: down per length.
+inline constexpr double kSlope = 0.6;  ///< Slope of slanted texts below an axis: height over length.
 
-/// A text in at most two lines that fit in so many pixels; what is too long loses its middle.
+/// A text in at most two lines of this width in pixels; a longer one loses its middle.
 std::vector<std::string> fitted_lines(std::string_view text, int pixels);
 
-/// Distance of the ticks of an axis that is not logarithmic, as `ticks_of` has them.
+/// Distance of the ticks of a linear axis, as in `ticks_of`.
 double tick_step(const Axis& axis, int pixels, bool is_horizontal);
 
-/// Positions of numbers along an axis whose range is known, with room for them in a panel of that
-/// size; without ticks of its own.
+/// Positions of numbers along an axis with known range, as many as fit in a panel of that size; for an axis without its
+/// own ticks.
 std::vector<double> ticks_of(const Axis& axis, int pixels, bool is_horizontal);
 
-/// Pixels of the longest text of a tick; 0 where all are numbers.
+/// Width in pixels of the longest text of a tick; 0 if all are numbers.
 double longest_text(const Axis& axis);
 
 /// Whether the texts of ticks along x do not fit side by side.
 bool is_crowded(const Axis& axis, int pixels);
 
-/// Pixels from the upper left of the image.
+/// Rectangle in pixels from the upper left of the image.
 struct Box {
   int left = 0, right = 0, top = 0, bottom = 0;
 
@@ -151,15 +149,14 @@ class Layout {
   int height_ = 0;
 };
 
-/// The axes of a panel.
+/// Axes of a panel.
 const Axis& x_axis(const Figure& figure, const Panel& panel);
 const Axis& y_axis(const Figure& figure, const Panel& panel);
 
-/// Axes of a panel as they are drawn: with a range that can be seen, and to scale where that is
-/// asked for.
+/// Axes of a panel as drawn: with a visible range, and to scale if requested.
 std::pair<Axis, Axis> drawn_axes(const Figure& figure, const Layout& layout, std::size_t index);
 
-/// Along one side of a panel: from coordinates to pixels.
+/// Conversion of coordinates to pixels along one side of a panel.
 struct Ruler {
   double from = 0.0, to = 1.0;
   int start = 0, end = 1;
@@ -169,14 +166,14 @@ struct Ruler {
     const double share = logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
     return start + share * (end - start);
   }
-  /// And back.
+  /// Coordinate of a pixel.
   double value_at(double pixel) const {
     const double share = (pixel - start) / (end - start);
     return logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
   }
 };
 
-/// A panel in its place, its axes with their ranges.
+/// A panel at its position, with the ranges of its axes.
 struct Frame {
   const Panel& panel;
   Box box;
@@ -184,7 +181,7 @@ struct Frame {
   Ruler across, up;
 };
 
-/// The figure with its free axes fitted to what is shown. What follows needs it.
+/// The figure with its free axes fitted to the data, as the following functions require.
 Figure with_ranges(Figure figure);
 
 Frame frame_of(const Figure& figure, const Layout& layout, std::size_t index);

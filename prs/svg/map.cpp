@@ -10,12 +10,12 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// A corner of a cell, by the places of its node.
+/// A corner of a cell, by the indices of its node.
 struct Node {
   std::size_t i, j;
 };
 
-/// Around a cell, against the clock from its lower left.
+/// Corners of a cell, anticlockwise from its lower left.
 std::array<Node, 4> corners(std::size_t i, std::size_t j) { return {{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}; }
 
 Point crossing(const GridData& grid, Node a, Node b, double level) {
@@ -23,7 +23,7 @@ Point crossing(const GridData& grid, Node a, Node b, double level) {
   return {std::lerp(grid.x[a.i], grid.x[b.i], share), std::lerp(grid.y[a.j], grid.y[b.j], share)};
 }
 
-/// The lines' points, one on an edge of the grid, and their neighbours along the lines.
+/// Points of the lines, one on an edge of the grid, and their neighbours along the lines.
 class Links {
  public:
   explicit Links(const GridData& grid, double level) : grid_(grid), level_(level) {}
@@ -86,8 +86,8 @@ class Links {
   std::vector<std::size_t> order_;
 };
 
-/// The lines where a grid has a value, linear along the edges of its cells (marching squares).
-/// Cells with a node without a number have none.
+/// Lines on which a grid has a value, linear along the edges of its cells (marching squares). Cells that have a node
+/// without a number have none.
 std::vector<Polyline> contour_lines(const GridData& grid, double level) {
   Links links(grid, level);
   for (std::size_t i = 0; i + 1 < grid.x.size(); ++i)
@@ -101,10 +101,10 @@ std::vector<Polyline> contour_lines(const GridData& grid, double level) {
         has_all = has_all && std::isfinite(value);
       }
       if (!has_all) continue;
-      // Each run of corners below is cut off by one line: where both pairs of opposite corners
-      // differ, what is above hangs together.
+      // One line cuts off each run of corners below the level: if both pairs of opposite corners differ, the part above
+      // is connected.
       for (std::size_t k = 0; k < 4; ++k) {
-        if (!above[k] || above[(k + 1) % 4]) continue;  // A run of those below begins at k + 1.
+        if (!above[k] || above[(k + 1) % 4]) continue;  // A run of corners below begins at k + 1.
         std::size_t last = k + 1;
         while (!above[(last + 1) % 4]) ++last;
         links.join(at[k], at[(k + 1) % 4], at[last % 4], at[(last + 1) % 4]);
@@ -113,9 +113,9 @@ std::vector<Polyline> contour_lines(const GridData& grid, double level) {
   return links.lines();
 }
 
-constexpr std::size_t kManyNodes = 2500;  // More cells are drawn as an image.
+constexpr std::size_t kManyNodes = 2500;  // Largest number of nodes that are drawn as cells; more become an image.
 
-/// Half the way to the neighbours of a node, in pixels.
+/// Half the distances to the neighbours of a node, in pixels.
 std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k, const Ruler& ruler) {
   const auto middle = [&](std::size_t a, std::size_t b) { return ruler(0.5 * (nodes[a] + nodes[b])); };
   const double at = ruler(nodes[k]);
@@ -127,7 +127,7 @@ std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k, 
   return {std::clamp<double>(before, least, most), std::clamp<double>(behind, least, most)};
 }
 
-/// A path of rectangles for each colour, runs of one colour along y as one.
+/// A path of rectangles for each colour, with runs of one colour along y joined.
 std::string cells_svg(const GridData& grid, const ColourScale& scale, const Frame& f) {
   const ScaleSteps steps(scale);
   std::vector<std::string> paths(steps.colours().size());
@@ -159,13 +159,13 @@ std::string cells_svg(const GridData& grid, const ColourScale& scale, const Fram
   return all;
 }
 
-/// Between which nodes a coordinate lies, and how far from the lower one.
+/// Nodes around a coordinate, and the share of the distance from the lower one.
 struct Place {
   std::size_t node = 0;
   double share = 0.0;
 };
 std::optional<Place> place_of(const std::vector<double>& nodes, double at, bool is_cell) {
-  if (is_cell && nodes.size() > 1) {  // The outer ones reach beyond their nodes.
+  if (is_cell && nodes.size() > 1) {  // The outer cells extend beyond their nodes.
     const double first = 1.5 * nodes[0] - 0.5 * nodes[1];
     const double last = 1.5 * nodes.back() - 0.5 * nodes[nodes.size() - 2];
     if (at >= first && at <= last) at = std::clamp(at, nodes.front(), nodes.back());
@@ -176,7 +176,7 @@ std::optional<Place> place_of(const std::vector<double>& nodes, double at, bool 
   return Place{node, (at - nodes[node]) / (nodes[node + 1] - nodes[node])};
 }
 
-/// For each pixel along one side.
+/// Place of each pixel along one side.
 std::vector<std::optional<Place>> places_of(const std::vector<double>& nodes, const Ruler& ruler, int fineness,
                                             bool is_cell) {
   std::vector<std::optional<Place>> places;
@@ -195,7 +195,7 @@ double between(const GridData& grid, const Place& x, const Place& y, bool neares
 
 /// An image over the panel.
 std::string image_svg(const Map& map, const ColourScale& scale, const Frame& f) {
-  // Pixels of it across one of the picture.
+  // Number of its pixels along one pixel of the picture.
   const int fineness = map.grid.values.size() > kManyNodes ? 1 : 2;
   const ScaleSteps steps(scale);
   const auto across = places_of(map.grid.x, f.across, fineness, map.cells);
@@ -236,7 +236,7 @@ std::string contours_svg(const std::vector<Contours>& contours, const Frame& f) 
 }
 
 std::string contour_numbers(const std::vector<Contours>& contours, const Frame& f, std::vector<TextBox>& taken) {
-  constexpr double kMargin = 4.0, kShortest = 60.0;  // Pixels.
+  constexpr double kMargin = 4.0, kShortest = 60.0;  // Lengths in pixels.
   std::string all;
   for (const auto& [level, lines] : contours) {
     const std::string number = tick_text(level, 0.0);
@@ -245,7 +245,7 @@ std::string contour_numbers(const std::vector<Contours>& contours, const Frame& 
       for (std::size_t k = 1; k < line.size(); ++k)
         length += std::hypot(f.across(line[k][0]) - f.across(line[k - 1][0]), f.up(line[k][1]) - f.up(line[k - 1][1]));
       if (length < kShortest) continue;
-      // From the middle of the line outwards, where it is free.
+      // First free position from the middle of the line outwards.
       for (std::size_t k = 0; k < line.size(); ++k) {
         const std::size_t half = (k + 1) / 2, middle = line.size() / 2;
         const std::size_t at = k % 2 ? middle - std::min(middle, half) : std::min(middle + half, line.size() - 1);

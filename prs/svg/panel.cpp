@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-/// The ticks of an axis with their texts, as many as there is room for.
+/// Ticks of an axis with their texts, as many as fit.
 std::vector<Tick> shown_ticks(const Axis& axis, int pixels, bool is_horizontal) {
   if (axis.hidden) return {};
   std::vector<Tick> ticks = axis.ticks;
@@ -21,8 +21,8 @@ std::vector<Tick> shown_ticks(const Axis& axis, int pixels, bool is_horizontal) 
   return ticks;
 }
 
-/// A text on paper of its own, of which a share lies left of x; as near to the place as it stands
-/// within the box and covers no other.
+/// A text on a background, with a share of it left of x; as near to the position as possible within the box and without
+/// covering another.
 std::string placed_text(std::string_view content, double x, double baseline, double share, const Box& box,
                         std::vector<TextBox>& taken) {
   if (content.empty()) return {};
@@ -43,8 +43,8 @@ std::string placed_text(std::string_view content, double x, double baseline, dou
 
 using Pixels = std::array<double, 2>;
 
-/// From coordinates to pixels. The box of the axes is turned about z and seen from above; x runs
-/// along its front edge at the left, y along that at the right.
+/// Projection of coordinates to pixels. The box of the axes is turned about z and seen from above; x runs along its
+/// front edge at the left, y along that at the right.
 class View {
  public:
   View(const Frame& f, const Axis& z) : x_(f.x), y_(f.y), z_(z) {
@@ -57,7 +57,7 @@ class View {
   }
 
   Pixels operator()(double x, double y, double z) const { return at(share(x_, x), share(y_, y), share(z_, z)); }
-  /// At shares of the axes.
+  /// Pixels of a point given by shares of the axes.
   Pixels at(double x, double y, double z) const {
     const double u = x - 0.5, v = y - 0.5;
     return {left_ + scale_ * (kCos * u + kSin * v),
@@ -104,13 +104,13 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
     const double x = 0.5 * (a[0] + b[0]) - away * std::sin(turn);
     const double y = 0.5 * (a[1] + b[1]) + away * std::cos(turn);
     const int length = static_cast<int>(std::hypot(b[0] - a[0], b[1] - a[1])) +
-                       (away < 0.0 ? 90 : 30);  // Above the axis of z there is room.
+                       (away < 0.0 ? 90 : 30);  // There is space above the z axis.
     const auto lines = fitted_lines(text_of(axis), length);
     all += text(x, y, "m", lines.size() > 1 ? lines.front() + "…" : lines.front(),
                 turned(x, y, static_cast<int>(std::lround(turn * 57.29578))));
   };
   std::vector<TextBox> taken;
-  // Lines of each tick over the two walls of its axis, by way of the corner.
+  // Lines of each tick over the two walls of its axis, via the corner.
   const auto ticks = [&](const Axis& axis, int pixels, bool is_horizontal, const auto& at, Pixels offset,
                          std::string_view classes) {
     double longest = 0.0;
@@ -142,7 +142,7 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
   ColourScale smooth = colours;
   smooth.levels.clear();
   const ScaleSteps steps(smooth);
-  // From the back to the front.
+  // Drawn from the back to the front.
   for (std::size_t i = 0; i + 1 < grid.x.size(); ++i)
     for (std::size_t j = grid.y.size() - 1; j-- > 0;) all += quad(view, grid, i, j, steps);
   for (const SurfacePoint& point : surface.points) {
@@ -214,7 +214,7 @@ std::string label_svg(const Label& label, const Frame& f, std::vector<TextBox>& 
   const double x = label.in_panel ? std::lerp(f.box.left, f.box.right, label.x) : f.across(label.x);
   const double y = label.in_panel ? std::lerp(f.box.bottom, f.box.top, label.y) : f.up(label.y);
   if (!std::isfinite(x + y)) return {};
-  // Blanks at an end hold a text off its place, and are not drawn.
+  // Blanks at an end keep a text at a distance, and are not drawn.
   const std::string_view content = label.text;
   const std::size_t from = content.find_first_not_of(' ');
   if (from == content.npos) return {};
@@ -237,7 +237,8 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
   const bool mapped = !panel.map.grid.empty() && figure.colours;
   const bool boxed = figure.to_scale || mapped, bare = f.x.hidden && f.y.hidden;
   const std::string clip = fmt::format("{}-{}", id, index);
-  const int margin = figure.to_scale && !mapped ? 0 : 7;  // Marks at an edge are drawn whole.
+  // Width in pixels by which marks at an edge may exceed the panel.
+  const int margin = figure.to_scale && !mapped ? 0 : 7;
   all += fmt::format("<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>", clip,
                      b.left - margin, b.top - margin, b.width() + 2 * margin, b.height() + 2 * margin);
   all +=
@@ -287,7 +288,7 @@ namespace {
 
 constexpr double kMarkRadius = 5.0;
 
-/// On which sides of a panel a point lies well outside, a bit each.
+/// Sides of a panel beyond which a point lies far outside, one bit each.
 unsigned beyond(const Box& b, double x, double y) {
   constexpr double kMargin = 20.0;
   return (x < b.left - kMargin ? 1u : 0u) | (x > b.right + kMargin ? 2u : 0u) | (y < b.top - kMargin ? 4u : 0u) |
@@ -331,7 +332,7 @@ std::string mark(Mark shape, double x, double y, double r) {
 
 bool is_strokes(const Style& style) { return style.open || style.mark >= Mark::plus; }
 
-/// A path in the style's colour, filled where the marks are.
+/// A path in the style's colour, filled if the marks are.
 std::string mark_path(const Style& style, const std::string& d, const std::string& colour) {
   if (d.empty()) return {};
   if (!colour.empty()) return fmt::format("<path d=\"{}\" fill=\"{}\" class=\"o\"/>", d, colour);
@@ -355,7 +356,7 @@ std::string arrow(const Polyline& part, const Frame& f, const Style& style) {
 }  // namespace
 
 std::string way(const Polyline& points, const Frame& f, bool closed) {
-  constexpr double kFar = 1e6;  // Of what leads out of the panel.
+  constexpr double kFar = 1e6;  // Limit of coordinates outside the panel.
   std::string d;
   char next = 'M';
   std::array<double, 2> at{};
@@ -451,7 +452,7 @@ std::string svg_file(const Figure& drawn) {
   const Layout layout(figure);
   const std::vector<std::string> title = fitted_lines(figure.title, layout.width() - 60);
   const bool titled = std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
-  // The layout has room for titles of two lines.
+  // The layout reserves two lines for titles.
   const int top = (titled ? 0 : 22) + (title.size() < 2 ? 6 : 0);
   const int height = layout.height() - top;
   std::string all = fmt::format(

@@ -4,43 +4,41 @@
 
 namespace prs {
 
-/// A panel in its place, with its axes. `id` is unique in the document. Needs a figure with ranges.
+/// A panel at its position, with its axes. `id` is unique in the document. Needs a figure with ranges.
 std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t index, const std::string& id);
 
-/// The scale of the colours, with its numbers and label below the box.
+/// Colour scale, with its numbers and label below the box.
 std::string colour_bar_svg(const ColourScale& scale, const Box& box);
 
-/// A map in the colours of a scale: cells of one colour or, as an embedded image, filled contours
-/// and cells that are many.
+/// A map in the colours of a scale: cells of one colour or, as an embedded image, filled contours and large numbers of
+/// cells.
 std::string map_svg(const Map& map, const ColourScale& scale, const Frame& frame);
 
-/// The lines where a map has one value.
+/// Lines on which a map has one value.
 struct Contours {
   double level = 0.0;
   std::vector<Polyline> lines = {};
 };
 
-/// Those between filled contours.
+/// Lines between filled contours.
 std::vector<Contours> contours_of(const Map& map, const ColourScale& scale);
 
 std::string contours_svg(const std::vector<Contours>& contours, const Frame& frame);
 
-/// Their numbers, where there is room; what they take joins `taken`.
+/// Numbers of the lines, where they fit; their boxes are added to `taken`.
 std::string contour_numbers(const std::vector<Contours>& contours, const Frame& frame, std::vector<TextBox>& taken);
 
-/// The way through points, broken where one has no place. Points that only lead around outside of
-/// the panel are left out.
+/// Path through points, broken at missing ones. Points that only lead around outside the panel are left out.
 std::string way(const Polyline& points, const Frame& frame, bool closed);
 
 std::string series_svg(const Figure& figure, const Series& series, const Frame& frame);
 
 constexpr int kLegendSymbolWidth = 34, kLegendSymbolHeight = 16;
 
-/// What stands before an entry of the legend, with its upper left at 0, 0.
+/// Symbol of an entry of the legend, with its upper left at 0, 0.
 std::string legend_symbol(const Style& style);
 
-/// A figure as an SVG file of its own: all panels, the scale of colours and the legend, on white
-/// paper.
+/// A figure as a separate SVG file: all panels, the scale of colours and the legend, on white paper.
 std::string svg_file(const Figure& figure);
 
 }  // namespace prs

@@ -15,7 +15,7 @@ void put32(std::string& bytes, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>((value >> shift) & 0xff);
 }
 
-/// CRC-32 as the PNG specification has it, annex D.
+/// CRC-32 of the PNG specification, annex D.
 std::uint32_t checksum(std::string_view bytes) {
   std::uint32_t crc = 0xffffffff;
   for (const char c : bytes) {
@@ -33,7 +33,7 @@ void put_chunk(std::string& file, std::string_view type, std::string_view data) 
 }
 
 #ifdef __EMSCRIPTEN__
-/// A stream of zlib (RFC 1950) with the bytes as they are: pages' engine comes without zlib.
+/// A zlib stream (RFC 1950) of uncompressed bytes: the engine of pages has no zlib.
 std::string deflated(std::string_view bytes) {
   constexpr std::size_t kMost = 65535;
   std::string stream = "\x78\x01";
@@ -63,7 +63,7 @@ std::string deflated(std::string_view bytes) {
 }
 #endif
 
-/// As RFC 4648 has it.
+/// Base64 of RFC 4648.
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -82,7 +82,7 @@ std::string png(const Image& image) {
   std::string header, palette(3, '\xff'), rows;
   put32(header, static_cast<std::uint32_t>(image.width));
   put32(header, static_cast<std::uint32_t>(image.height));
-  header.append("\x08\x03\0\0\0", 5);  // A byte per pixel, a palette, nothing special.
+  header.append("\x08\x03\0\0\0", 5);  // One byte per pixel, a palette, defaults for the rest.
   for (const std::string& colour : image.colours)
     for (const std::size_t channel : {1u, 3u, 5u}) {
       int level = 0;

@@ -10,13 +10,13 @@ namespace prs {
 struct Image {
   std::size_t width = 0, height = 0;
   std::vector<std::string> colours = {};  ///< `#rrggbb`, at most 255.
-  std::string pixels = {};                ///< 0: transparent, else the place of the colour plus 1.
+  std::string pixels = {};                ///< 0: transparent, else the index of the colour plus 1.
 };
 
-/// As a PNG file.
+/// The image as a PNG file.
 std::string png(const Image& image);
 
-/// The same as an address: `data:image/png;base64,..`.
+/// The PNG file as an address: `data:image/png;base64,..`.
 std::string png_address(const Image& image);
 
 }  // namespace prs

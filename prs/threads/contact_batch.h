@@ -5,33 +5,33 @@
 
 namespace prs {
 
-/// What of the contacts is wanted.
+/// Extent of the computed contacts.
 enum class ContactDetail {
-  laws,     ///< What load distribution, ellipses and slip need.
-  numbers,  ///< All that `find_contacts` gives with Detail::numbers.
+  laws,     ///< Numbers for load distribution, ellipses and slip.
+  numbers,  ///< All numbers of `find_contacts` with Detail::numbers.
 };
 
-/// Contacts of many mechanisms, side by side: those of `find_contacts` with Detail::numbers to
-/// 1e-13, for mechanisms that have both contacts. Memory is kept from one batch to the next.
+/// Contacts of many mechanisms, side by side: equal to those of `find_contacts` with Detail::numbers to 1e-13, for
+/// mechanisms that have both contacts. Memory is kept from one batch to the next.
 class ContactBatch {
  public:
   explicit ContactBatch(simd::InstructionSet set = simd::InstructionSet::best) : set_(set) {}
 
   void clear() { mechanisms_.clear(); }
   std::size_t size() const { return mechanisms_.size(); }
-  /// `threads` are those of a mechanism with all radii, see `resolved`.
+  /// Adds a mechanism with all radii, see `resolved`, by its threads.
   void add(const contact::MechanismGeometry& threads, const std::optional<Materials>& materials);
-  /// Finds the contacts of all that were added.
+  /// Finds the contacts of all mechanisms that were added.
   void find();
-  /// Sets threads and contacts of the mechanism that was added as number k. False where one of its
-  /// contacts or threads cannot be: `find_contacts` says why.
+  /// Sets threads and contacts of the mechanism added as number k. Returns false if one of its contacts or threads is
+  /// impossible: `find_contacts` gives the reason.
   bool get(std::size_t k, const Mechanism& mechanism, const contact::MechanismGeometry& threads, ContactDetail detail,
            Contacts& contacts) const;
 
-  /// Sets Hertz's constants, statuses and normals alone, what a law is made of.
+  /// Sets only Hertz's constants, statuses and normals, from which a law is made.
   bool get_laws(std::size_t k, Contacts& contacts) const;
 
-  /// Laws of contacts that `get_laws` has, as `contact_law` gives them without overrides.
+  /// Laws of the contacts of `get_laws`, as `contact_law` gives them without overrides.
   PerInterface<ContactLawNumbers> laws(std::size_t k) const;
 
  private:

@@ -7,14 +7,14 @@
 namespace prs {
 namespace {
 
-/// Interference below this is the rounding of the input [m].
+/// Largest interference that counts as rounding of the input [m].
 constexpr double kInterference = 1e-9;
 
-/// Interference, as a share of the pitch, that nominal diameters give: pitch cylinders that touch
-/// leave no room for the helices. Published screws have 4 to 9.7 %.
+/// Interference, as a share of the pitch, of nominal diameters: pitch cylinders that touch leave no room for the
+/// helices. Published screws have 4 to 9.7 %.
 constexpr double kTouchingInterference = 0.1;
 
-/// A smallest relative curvature below this share of the roller's is a nearly conforming contact.
+/// Smallest relative curvature, as a share of the roller's, below which a contact counts as nearly conforming.
 constexpr double kConformity = 0.01;
 
 void add_hertz(InterfaceContact& c, const Material& body, const Material& roller, Detail detail) {
@@ -105,7 +105,7 @@ void require_thickness(const Mechanism& m, Part part) {
                               thickness * per_si::millimetre, pitch * per_si::millimetre));
 }
 
-/// Why a thread cannot be, if so.
+/// Reason why a thread is impossible, if it is.
 std::optional<Problem> thread_failure(const contact::Thread& thread, Part part) {
   const contact::RadiusLimits flank = contact::flank_limits(thread);
   const std::string path =
@@ -132,7 +132,8 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warni
                                   sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre)});
 }
 
-/// Rollers that clear each other only if their crests, which are not stated, are lower than where the flanks meet.
+/// Warns of rollers that clear each other only if their crests, which are not stated, are lower than where the flanks
+/// meet.
 void warn_of_crowding(const Contacts& c, std::vector<Warning>& warnings) {
   const int most = contact::largest_roller_count(c.threads);
   if (c.mechanism.rollers > most)
@@ -151,8 +152,7 @@ void warn(Contacts& c) {
   warn_of_conformity(c, c.warnings);
 }
 
-/// From the crest of the body's flank to the roller's crest on the line of centres [m]; < 0 where
-/// they overlap.
+/// Distance of the crest of the body's flank from the roller's crest on the line of centres [m]; < 0 if they overlap.
 double distance_of_crests(const contact::ThreadPair& pair, Interface i) {
   return i == Interface::screw ? pair.centre_distance - pair.body.largest_radius - pair.roller.largest_radius
                                : pair.body.smallest_radius - pair.roller.largest_radius - pair.centre_distance;

@@ -7,15 +7,15 @@
 namespace prs {
 namespace {
 
-// What is usual, with room to either side: a maker's 24 standard screws of 4 to 120 mm
-// (validation/standard_screws) have helix angles of 1 to 9 deg, threads over 5 to 7.5 diameters of
-// the roller, and nuts with a wall of 10 to 29 % of the pitch diameter.
+// Usual values, with room to either side: a maker's 24 standard screws of 4 to 120 mm (validation/standard_screws) have
+// helix angles of 1 to 9 deg, threads over 5 to 7.5 diameters of the roller, and nuts with a wall of 10 to 29 % of the
+// pitch diameter.
 constexpr double kFlattestHelix = 0.3;  ///< [deg]
 constexpr double kSteepestHelix = 20.0;
 constexpr double kMostSlender = 20.0;
 constexpr double kThinnestWall = 0.04;
 
-/// Radial distance by which the pitch cylinders of an interface miss each other, overlap < 0 [m].
+/// Radial gap between the pitch cylinders of an interface, overlap < 0 [m].
 double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
   return i == Interface::screw ? m.centre_distance - m.roller.pitch_radius - m.screw.pitch_radius
                                : m.nut.pitch_radius - m.roller.pitch_radius - m.centre_distance;
@@ -100,7 +100,7 @@ void warn_of_speeds(const Conditions& c, const Mechanism& m, std::span<const Loa
                     std::vector<Warning>& warnings) {
   const double diameter = *m.pitch_diameter.screw;
   if (c.operation) warn_of_speed("operation.speed", c.operation->speed, diameter, warnings);
-  std::string last;  // Of a range, whose cases have one speed.
+  std::string last;  // Last name of a range, whose cases have one speed.
   for (const LoadCase& load : loads) {
     const std::string path = path_in(load, "speed");
     if (load.speed && path != last) warn_of_speed(path, *load.speed, diameter, warnings);
@@ -121,7 +121,7 @@ void warn_of_free_bearings(const Structure& s, std::vector<Warning>& warnings) {
   }
 }
 
-/// A face of the nut that looks the way that the load pushes the nut can only be pulled.
+/// Warns of a face of the nut on the side to which the load pushes the nut, which can only be pulled.
 void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads, std::vector<Warning>& warnings) {
   if (!c.structure || !c.model.bodies->grooves) return;
   const Structure::Nut& nut = c.structure->nut;

@@ -5,17 +5,17 @@
 
 namespace prs {
 
-/// Geometry of a mechanism that its stationary motion depends on (Sandu 2018, section 2.2): for
-/// numbers and for batches with one mechanism per lane.
+/// Geometry of a mechanism that determines its stationary motion (Sandu 2018, section 2.2): for numbers and for batches
+/// with one mechanism per lane.
 template <class Real>
 struct KinematicGeometryOf {
   simd::EnumOf<Mechanism::Type, Real> type = Mechanism::Type::standard;
   Real lead{};             ///< l_S, > 0 right-handed [m]
-  Real gear_ratio{};       ///< Gamma, of the teeth of the gears: n_R/n_S.
+  Real gear_ratio{};       ///< Gamma, ratio of the gears' teeth: n_R/n_S.
   Real centre_distance{};  ///< c [m]
-  Real lead_excess{};      ///< l_N - l_S, 0 of a sound mechanism [m].
-  /// Lead of the rollers as their gears turn them, over that of the part that they are geared to, 0 of a
-  /// sound mechanism: sgn(l_S) (|l_R|/Gamma - |l_N|), inverted sgn(l_S) (|l_R|/Gamma - |l_S|) [m].
+  Real lead_excess{};      ///< l_N - l_S, 0 for a consistent mechanism [m].
+  /// Difference of the lead of the rollers, as their gears turn them, from that of the part that they are geared to, 0
+  /// for a consistent mechanism: sgn(l_S) (|l_R|/Gamma - |l_N|), inverted sgn(l_S) (|l_R|/Gamma - |l_S|) [m].
   Real migration_lead{};
   /// I and J in the carrier's frame across the screw's axis, x towards the roller [m].
   PerInterface<contact::Vector2<Real>> points{};
@@ -36,18 +36,16 @@ struct KinematicsOf {
   /// of an inverted mechanism [m/s] (2.5).
   Number screw_advance{};
   Number nut_advance{};
-  Number roller_advance{};  ///< Migration, 0 of a sound mechanism.
+  Number roller_advance{};  ///< Migration, 0 for a consistent mechanism.
 };
 using Kinematics = KinematicsOf<double>;
 
-// What turns against the frame. The screw of a standard mechanism turns and its nut is held against
-// turning; of an inverted mechanism the nut turns and the screw is held. The part that is held
-// travels, and the rollers with it. omega_s/n, the speed of screw against nut, has the same sign in
-// both; against the frame a screw turns with omega_s/n, a nut with -omega_s/n.
+/// Speed against the frame of a part that turns with `against_nut` against the nut [rad/s], where the screw turns with
+/// `speed` against the nut: omega_x/n for a standard mechanism, omega_x/n - omega_s/n for an inverted one. The screw of
+/// a standard mechanism turns and its nut is held against turning; in an inverted mechanism the nut turns and the screw
+/// is held. The held part travels, and the rollers with it. omega_s/n has the same sign in both; against the frame a
+/// screw turns with omega_s/n, a nut with -omega_s/n.
 
-/// Speed against the frame of what turns with `against_nut` against the nut [rad/s], where the
-/// screw turns with `speed` against it: omega_x/n of a standard mechanism, omega_x/n - omega_s/n of
-/// an inverted one.
 template <class Number, class Real>
 Number against_frame(const simd::Lanes<Real>& is_standard, const Number& against_nut, const Real& speed) {
   using simd::select;
@@ -57,8 +55,8 @@ Number against_frame(const simd::Lanes<Real>& is_standard, const Number& against
 /// Speed against the frame of the part that turns [rad/s]: omega_s/n, or -omega_s/n of a nut.
 double turning_speed(Mechanism::Type type, double speed);
 
-/// Share of the turns of the screw against the nut that the rollers roll off on the part that they are
-/// geared to: epsilon, or 1 - epsilon of an inverted mechanism.
+/// Share of the turns of the screw against the nut that the rollers roll off on the part that they are geared to:
+/// epsilon, or 1 - epsilon for an inverted mechanism.
 template <class Number, class Real>
 Number geared_turns(const KinematicGeometryOf<Real>& g, const Number& slip_ratio) {
   using simd::select;
@@ -80,7 +78,7 @@ template <class Number, class Real>
 KinematicsOf<Number> kinematics(const KinematicGeometryOf<Real>& g, const std::type_identity_t<Real>& speed,
                                 const Number& slip_ratio) {
   using simd::select;
-  const Number advance = -travel_per_turn(g, slip_ratio) / (2.0 * std::numbers::pi) * speed;  // of the nut
+  const Number advance = -travel_per_turn(g, slip_ratio) / (2.0 * std::numbers::pi) * speed;  // advance of the nut
   const auto standard = g.is_standard();
   const Number turns = geared_turns(g, slip_ratio), none(Real(0.0));
   return {slip_ratio,
@@ -92,12 +90,12 @@ KinematicsOf<Number> kinematics(const KinematicGeometryOf<Real>& g, const std::t
           select(standard, Real(-g.migration_lead), g.migration_lead) / (2.0 * std::numbers::pi) * turns * speed};
 }
 
-/// How body and roller move against each other where they touch.
+/// Relative motion of body and roller at their contact.
 template <class Number>
 struct ContactMotionOf {
-  contact::Vector3<Number> sliding{};  ///< v, body against roller [m/s] (2.10), (2.11)
-  contact::Vector3<Number> rolling{};  ///< u, sum of both [m/s] (2.32), (2.33)
-  Number spin{};                       ///< Body against roller, about z [rad/s] (2.23), (2.24)
+  contact::Vector3<Number> sliding{};  ///< v, velocity of body against roller [m/s] (2.10), (2.11).
+  contact::Vector3<Number> rolling{};  ///< u, sum of both velocities [m/s] (2.32), (2.33).
+  Number spin{};                       ///< Spin of body against roller, about z [rad/s] (2.23), (2.24).
 };
 using ContactMotion = ContactMotionOf<double>;
 
@@ -119,19 +117,18 @@ constexpr Interface sliding_interface(Mechanism::Type type) {
   return type == Mechanism::Type::standard ? Interface::screw : Interface::nut;
 }
 
-/// epsilon*, for which the sliding interface slides least (Sandu 2018, (2.16) standard, (2.17)
-/// inverted). It does not depend on the speed.
+/// epsilon*, at which the sliding interface slides least (Sandu 2018, (2.16) standard, (2.17) inverted). It does not
+/// depend on the speed.
 double ideal_slip_ratio(const KinematicGeometry& geometry);
 
 /// Slip ratios by formulas of geometry alone, for comparison with the ideal one.
 struct SlipEstimates {
-  double simple = 0.0;          ///< Contacts at the pitch points, (2.21) and its inverted analogue.
-  std::optional<double> jones;  ///< (2.20), standard only.
+  double simple = 0.0;          ///< Estimate for contacts at the pitch points, (2.21) and its inverted analogue.
+  std::optional<double> jones;  ///< Estimate (2.20), standard only.
 };
 
-/// Slip ratios by formulas of geometry alone: contacts at the pitch points, (1 - 2 Gamma)/(2 (1 -
-/// Gamma)) (2.21), for the inverted mechanism 1/(2 (1 + Gamma)) by the same argument; and, for the
-/// standard one, that of Jones et al. (2.20).
+/// Slip ratios by formulas of geometry alone: contacts at the pitch points, (1 - 2 Gamma)/(2 (1 - Gamma)) (2.21), for
+/// the inverted mechanism 1/(2 (1 + Gamma)) by the same argument; and, for the standard one, Jones et al. (2.20).
 SlipEstimates slip_estimates(const KinematicGeometry& geometry);
 
 /// Admissible slip ratios, from pure sliding at one end to the ideal one at the other.
@@ -141,7 +138,7 @@ struct SlipRange {
 };
 SlipRange slip_range(const KinematicGeometry& geometry);
 
-/// Share of the way from pure sliding to the ideal slip ratio (Sandu 2018, (2.19)):
+/// Share of the distance from pure sliding to the ideal slip ratio (Sandu 2018, (2.19)):
 ///
 ///     (epsilon + chi - 1)/(epsilon* + chi - 1),   chi = 1 standard, 0 inverted.
 double optimality(const SlipRange& range, double slip_ratio);

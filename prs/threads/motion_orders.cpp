@@ -5,7 +5,7 @@
 namespace prs {
 namespace {
 
-/// Share of a turn by which positions may differ and be the same.
+/// Share of a turn within which positions are the same.
 constexpr double kSamePosition = 1e-9;
 
 double spin_order(const Mechanism& m, double slip_ratio) {

@@ -56,7 +56,7 @@ std::optional<double> width(const contact::ThreadSurface& s, double radius) {
   return groove ? std::optional(s.pitch - 2.0 * *groove) : std::nullopt;
 }
 
-/// From the edge of a crest to the flank of the other part at that radius of it [m].
+/// Distance from the edge of a crest to the flank of the other part at that part's radius [m].
 std::optional<double> crest_clearance(const contact::Thread& crest, const contact::Thread& flank,
                                       double radius_on_flank) {
   const std::optional<double> thread = width(contact::ThreadSurface(crest), crest_radius(crest));
@@ -110,7 +110,7 @@ std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry
   const contact::Thread& roller = threads.roller;
   if (!point.ok() || !has_heights(body) || !has_heights(roller) || !contact::same_pitch(body, roller))
     return std::nullopt;
-  // The roller stands outside the screw and inside the nut.
+  // The roller is outside the screw and inside the nut.
   const double towards_body = interface == Interface::screw ? -1.0 : 1.0;
   const double c = threads.centre_distance;
   return ThreadClearance{
@@ -138,7 +138,7 @@ ThreadOffsets thread_offsets(const Mechanism& m, const Deviations& d, const Mate
 
 std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller, Interface i,
                                  double normal_angle, Direction direction) {
-  // The screw pushes the roller, the roller the nut; a nut that grows makes way.
+  // The screw pushes the roller, the roller the nut; a larger nut opens the gap.
   const double ahead = i == Interface::screw ? 1.0 : -1.0;
   std::vector<double> gaps;
   for (std::size_t k = 0; k < body.axial.size(); ++k)

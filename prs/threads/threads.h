@@ -5,14 +5,12 @@
 
 namespace prs {
 
-/// The mechanism with all pitch diameters and the centre distance: as they stand with `geometry:
-/// simulation`, designed for the backlash with `geometry: design` (Sandu 2018, table 1.3). Throws
-/// CaseError where no mechanism has that backlash.
+/// The mechanism with all pitch diameters and the centre distance: as stated with `geometry: simulation`, designed for
+/// the backlash with `geometry: design` (Sandu 2018, table 1.3). Throws CaseError if no mechanism has that backlash.
 Mechanism resolved(const Mechanism& mechanism);
 
-/// Axial widths of a truncated thread [m]: a crest of no width is sharp, neighbouring threads whose
-/// roots are wider than the pitch run into each other. Both may come out beyond those limits;
-/// absent where the profile has ended before.
+/// Axial widths of a truncated thread [m]: a crest of zero width is sharp, neighbouring threads whose roots are wider
+/// than the pitch overlap. Both may lie beyond those limits; absent if the profile ends before.
 struct ThreadWidths {
   std::optional<double> crest;  ///< c
   std::optional<double> root;   ///< a
@@ -27,15 +25,15 @@ struct ThreadWidths {
 /// the thread's heights are not given.
 std::optional<ThreadWidths> thread_widths(const contact::Thread& thread);
 
-/// How far a roller's threads are from those of one body, axially [m], while each thread stands in
-/// the middle of the other's groove; negative where they overlap. Twice that is the axial play.
+/// Axial distance of a roller's threads from those of one body [m], with each thread in the middle of the other's
+/// groove; negative if they overlap. Twice the distance is the axial play.
 struct ThreadClearance {
   /// Clearance of the flanks at the contact point, epsilon_SRc, epsilon_NRc (55): half the
   /// backlash.
   double flank = 0.0;
-  /// From the edge of the body's crest to the roller's flank, epsilon_ST, epsilon_NT (57).
+  /// Distance from the edge of the body's crest to the roller's flank, epsilon_ST, epsilon_NT (57).
   std::optional<double> body_crest;
-  /// From the edge of the roller's crest to the body's flank, epsilon_RST, epsilon_RNT (58).
+  /// Distance from the edge of the roller's crest to the body's flank, epsilon_RST, epsilon_RNT (58).
   std::optional<double> roller_crest;
 };
 
@@ -53,30 +51,29 @@ struct ThreadClearance {
 /// 0.359 mm in his initial design, yet never as near as a contact point inside both flanks. Yao has
 /// phi for straight bodies and a roller's arc about its axis in the axial plane, at the radii
 /// d_R0/2 -+ h_a (59), which supposes c = r_S + r_R = r_N - r_R; any profile, plane and centre
-/// distance generalise that. A crest is absent where the other part's profile has ended. Yao asks
+/// distance generalise that. A crest is absent if the other part's profile has ended. Yao asks
 /// for flank > 0 (56) and for crests farther away than flanks (60).
 ///
-/// Nothing where the heights of one of the two threads are not given, pitches differ (then the
+/// Nothing if the heights of one of the two threads are not given, pitches differ (then the
 /// parts have no middle) or the contact point is not `ok`.
 std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry& threads, Interface interface,
                                                 const contact::ContactPoint& point);
 
 /// Offsets of a part's threads from their nominal place, one per contact [m].
 struct ThreadOffsets {
-  std::vector<double> axial;   ///< a_k, away from the loaded end of the screw.
-  std::vector<double> radial;  ///< rho_k of the pitch radius.
+  std::vector<double> axial;   ///< a_k, positive away from the loaded end of the screw.
+  std::vector<double> radial;  ///< rho_k, offset of the pitch radius.
 };
 
-/// Those that `initial_gaps` is made of: measured pitch, pitch error, expansion, diameter,
-/// crowning, relief.
+/// Offsets of which `initial_gaps` is made: measured pitch, pitch error, expansion, diameter, crowning, relief.
 ThreadOffsets thread_offsets(const Mechanism& mechanism, const Deviations& deviations, const Materials& materials,
                              Part part);
 
-/// Gaps of an interface, the smallest not taken off [m].
+/// Gaps of an interface, before the smallest is subtracted [m].
 std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller, Interface i,
                                  double normal_angle, Direction direction);
 
-/// Whether anything sets a thread of one sector off its nominal place; else all gaps are 0.
+/// Whether any deviation moves a thread of one sector from its nominal place; else all gaps are 0.
 bool deviates(const Mechanism& mechanism, const Deviations& deviations);
 
 /// Initial gaps of the threads along their contact normals for one direction of the load, the

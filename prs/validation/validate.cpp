@@ -13,7 +13,7 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kLeastColumn = 7;  // Characters, in the text of a table.
+constexpr std::size_t kLeastColumn = 7;  // Width in characters, in the text of a table.
 
 /// Value at a path such as `load_cases[0].screw.axial_load_N[3]`.
 std::optional<double> number_at(const Json& document, std::string path) {
@@ -81,7 +81,7 @@ SourceReport report_on(const std::filesystem::path& folder, const std::vector<So
     report.not_built.push_back(fmt::format("{} statements in words", reference.statements.size()));
   if (code.tables) report.tables = code.tables(reference);
   if (!code.supplement) return report;
-  // Left out where the reference does not hold the case that the code is about.
+  // Left out if the reference does not have the case of the code.
   const auto subject = std::ranges::find_if(reference.cases, [&](const ReferenceCase& c) {
     return code.subject.empty() ? !c.file.empty() : c.file.filename() == code.subject;
   });
@@ -95,7 +95,7 @@ SourceReport report_on(const std::filesystem::path& folder, const std::vector<So
   return report;
 }
 
-/// In order of `Verdict::Kind`.
+/// Words in the order of `Verdict::Kind`.
 constexpr std::array<std::string_view, 3> kVerdicts{"holds", "holds only with", "does not hold"};
 
 std::string_view verdict_name(Verdict::Kind kind) { return kVerdicts.at(static_cast<std::size_t>(kind)); }
@@ -118,7 +118,7 @@ std::string value_text(const ValidationTable& table, double value) {
   return table.decimals ? fmt::format("{:.{}f}", value, *table.decimals) : fmt::format("{:.6g}", value);
 }
 
-/// Columns as wide as what they hold.
+/// Columns as wide as their contents.
 std::string table_text(const ValidationTable& table) {
   std::vector<std::vector<std::string>> rows{table.columns};
   for (const ValidationTable::Row& row : table.rows) {
@@ -283,7 +283,7 @@ using Keys = std::initializer_list<std::string_view>;
 
 constexpr int kMostDecimals = 15;
 
-/// A map that has no other keys than these; missing ones are told of when they are asked for.
+/// Whether a node is a map with these keys only; missing ones are reported where they are read.
 bool is_map_of(const Node& node, Keys known, ErrorList& errors) {
   if (node.kind != Node::Kind::map) {
     errors.add(node.place, node.key, "expected a map of {}", fmt::join(known, ", "));
@@ -308,7 +308,7 @@ std::string required_text(const Node& map, std::string_view key, ErrorList& erro
   return optional_text(map, key, errors);
 }
 
-/// The items of a list, which must stand and hold something.
+/// Items of a list, which must exist and not be empty.
 const std::vector<Node>& required_list(const Node& map, std::string_view key, ErrorList& errors) {
   static const std::vector<Node> none;
   const Node* list = input::find(map, key);
@@ -415,7 +415,7 @@ double PrintedNumber::off(double computed) const { return 0.5 * (computed - valu
 double PrintedNumber::half_unit() const { return 0.5 * std::pow(10.0, last_place()); }
 
 bool PrintedNumber::is_reproduced_by(double computed) const {
-  // A printed digit is rounded from a computation of unknown rounding: one part in 1e9 of slack.
+  // A printed digit is rounded from a computation of unknown rounding, hence a tolerance of one part in 1e9.
   return std::abs(computed - value()) <= half_unit() * (1.0 + 1e-9);
 }
 

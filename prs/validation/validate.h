@@ -6,21 +6,21 @@
 
 namespace prs {
 
-/// A number as a source prints it; what is known of it ends with its last digit.
+/// A number as printed in a source, known up to its last digit.
 struct PrintedNumber {
   std::string text;             ///< `3.6062e5`
-  std::optional<int> decimals;  ///< In place of the last digit's, where the source drops zeros.
+  std::optional<int> decimals;  ///< Decimals in place of the last digit's, if the source drops zeros.
 
   double value() const;
   /// Half a unit of the last known digit.
   double half_unit() const;
-  /// Whether a computed number, rounded, is this one.
+  /// Whether a computed number rounds to this one.
   bool is_reproduced_by(double computed) const;
-  /// Known digits, a leading zero of a number below 1 not counted; those of 0 are its decimals.
+  /// Number of known digits, without a leading zero of a number below 1; for 0 its decimals.
   int digits() const;
-  /// How many of them a computed number shares, counted by the distance in units of the last.
+  /// Number of digits shared with a computed number, counted by the distance in units of the last.
   int agreeing_digits(double computed) const;
-  /// Computed less printed, in units of the last known digit.
+  /// Computed minus printed, in units of the last known digit.
   double off(double computed) const;
   /// Decimals of the last known digit, negative left of the point.
   int last_decimals() const { return -last_place(); }
@@ -29,40 +29,40 @@ struct PrintedNumber {
   int last_place() const;
 };
 
-/// What a source prints for a quantity, and what is known to be wrong with it.
+/// A printed value of a quantity, and its known errors.
 struct PrintedValue {
   std::string quantity;  ///< Path in the JSON document: `contact.screw.hertz_constant_N_per_mm1_5`.
   std::string where;     ///< Table or equation of the source.
   PrintedNumber printed;
-  std::string differs;                     ///< Why the theory does not give it, where it does not; else empty.
-  double off = 0.0;                        ///< By how many units of its last digit it differs, to a unit.
-  std::optional<PrintedNumber> corrected;  ///< What it gives instead, from an independent source.
+  std::string differs;                     ///< Reason why the theory does not give it, if so; else empty.
+  double off = 0.0;                        ///< Difference in units of its last digit, within one unit.
+  std::optional<PrintedNumber> corrected;  ///< Value that it gives instead, from an independent source.
 };
 
 /// A case, or formulas that the source's code computes without one, and the numbers printed for it.
 struct ReferenceCase {
   std::filesystem::path file;        ///< Empty for formulas.
-  std::string formulas;              ///< What they give: `table 7.1`; empty for a case.
+  std::string formulas;              ///< Source of the formulas: `table 7.1`; empty for a case.
   Command command = Command::solve;  ///< `solve`, `contact` or `slip`
   std::vector<PrintedValue> values;
 };
 
-/// What the run says of a statement that a source makes in words.
+/// Result of a run on a statement that a source makes in words.
 struct Verdict {
   enum class Kind { holds, holds_only_with, does_not_hold };
   Kind kind = Kind::does_not_hold;
   std::vector<std::string> only_with = {};  ///< Variants of the model under which it holds.
-  std::string evidence = {};                ///< From the plain model and the first variant that holds.
+  std::string evidence = {};                ///< Results of the plain model and of the first variant that holds.
   std::string why = {};                     ///< Reason why it does not hold with the plain model.
 };
 
-/// What a source says in words, and the name of its check in the source's code.
+/// A statement of a source in words, and the name of its check in the source's code.
 struct PrintedStatement {
   std::string section;  ///< Section in which the source makes it.
   std::string text;     ///< The source's words.
   std::string check;
-  std::string why = {};                           ///< The mechanics behind it where it does not hold; shown only then.
-  Verdict::Kind expected = Verdict::Kind::holds;  ///< As it was found before.
+  std::string why = {};                           ///< Mechanical reason if it does not hold; shown only then.
+  Verdict::Kind expected = Verdict::Kind::holds;  ///< Verdict on record.
 };
 
 /// `reference.yaml` of one source.
@@ -78,9 +78,8 @@ struct Reference {
 /// input::InputError.
 Reference read_reference(const std::filesystem::path& file);
 
-/// Comma-separated values below one line of column names, see `input::CsvReader`. Empty fields are
-/// refused, as are rows of another length than the first. All members throw input::InputError,
-/// which names file, line and column.
+/// Comma-separated values below one line of column names, see `input::CsvReader`. Empty fields are refused, as are rows
+/// of a different length than the first. All members throw input::InputError, which names file, line and column.
 class CsvTable {
  public:
   explicit CsvTable(const std::filesystem::path& file);
@@ -88,7 +87,7 @@ class CsvTable {
   CsvTable& operator=(const CsvTable&) = delete;
 
   std::size_t rows() const { return rows_.size(); }
-  /// Index of the column; an error where there is none.
+  /// Index of the column; an error if there is none.
   std::size_t column(std::string_view name) const;
   bool has_column(std::string_view name) const;
 
@@ -98,7 +97,7 @@ class CsvTable {
   /// Half a unit of the number's last digit.
   double half_unit(std::size_t row, std::size_t column) const;
 
-  /// What turns out to be wrong with a field.
+  /// Throws an error on a field.
   [[noreturn]] void fail(std::size_t row, std::size_t column, std::string_view message) const;
 
  private:
@@ -117,8 +116,7 @@ class CsvTable {
   std::vector<Row> rows_;
 };
 
-/// What a predicate found: whether the statement is true of some results, and the numbers that say
-/// so.
+/// Result of a predicate: whether the statement is true of some results, and the numbers that show it.
 struct Finding {
   bool holds = false;
   std::string evidence;
@@ -166,7 +164,7 @@ Verdict compare(const std::function<Finding(const Results&)>& predicate, const s
   return verdict;
 }
 
-/// Those of the statements that are checked here.
+/// The statements that are checked here.
 template <class Results>
 std::vector<ComparedStatement> compare(const std::vector<PrintedStatement>& statements, const Checks<Results>& checks,
                                        const std::vector<Variant<Results>>& variants) {
@@ -186,49 +184,49 @@ struct ValidationTable {
   std::string title;
   std::vector<std::string> columns;  ///< Headings of labels and values, with units.
   std::vector<Row> rows;
-  std::optional<int> decimals = {};  ///< In the text; six significant digits where absent.
+  std::optional<int> decimals = {};  ///< Decimals in the text; six significant digits if absent.
 };
 
 enum class Outcome {
   reproduces,
-  differs,     ///< Off as recorded, with a reason; a corrected number, where given, is met.
+  differs,     ///< Differs as recorded, with a reason; equals a corrected number, if given.
   unexpected,  ///< Not reproduced and not listed, or listed and reproduced all the same.
-  missing,     ///< The result does not hold the quantity.
-  not_built,   ///< The program leaves out what computes it.
+  missing,     ///< Missing in the result.
+  not_built,   ///< Computed by a part that the program omits.
 };
 
 const char* name(Outcome outcome);
 
-/// A printed number against the computed one.
+/// A printed number and the computed one.
 struct Comparison {
   std::string case_name;  ///< Case file without its ending; or name of the formulas.
   PrintedValue reference;
-  std::optional<double> computed;  ///< Absent where the result does not hold the quantity.
-  bool is_built = true;            ///< False where the program leaves out what computes it (PRS_FULL).
+  std::optional<double> computed;  ///< Absent if the result does not have the quantity.
+  bool is_built = true;            ///< false if the program omits the part that computes it (PRS_FULL).
 
   Outcome outcome() const;
   bool unexpected() const { return outcome() == Outcome::unexpected || outcome() == Outcome::missing; }
 };
 
-/// What the code of a source finds on its case and in the data next to it.
+/// Results of a source's code on its case and on the data beside it.
 struct Supplement {
   std::vector<ComparedStatement> statements = {};
   std::vector<ValidationTable> tables = {};
   std::vector<Figure> figures = {};
   std::vector<OutputFile> files = {};
-  std::vector<std::string> not_built = {};  ///< What the program leaves out of the source (PRS_FULL).
+  std::vector<std::string> not_built = {};  ///< Parts of the source that the program omits (PRS_FULL).
 };
 
-/// What the run says of one folder below `validation/`.
+/// Results for one folder below `validation/`.
 struct SourceReport : Supplement {
   std::string name;    ///< Name of the folder.
   std::string source;  ///< Citation.
   std::vector<Comparison> comparisons;
-  std::vector<std::string> changed_data = {};  ///< Files that are not those of the record.
+  std::vector<std::string> changed_data = {};  ///< Files that differ from the record.
   std::size_t data = 0;                        ///< Number of files on record.
 };
 
-/// How many numbers, statements and files of data there are, and how they compare with what is recorded of them.
+/// Counts of numbers, statements and files of data, and of their agreement with the record.
 struct ValidationSummary {
   std::size_t compared = 0, hold = 0, known_not_to = 0, changed = 0, not_built = 0;
 
@@ -237,27 +235,26 @@ struct ValidationSummary {
 };
 ValidationSummary summary(const std::vector<SourceReport>& reports);
 
-/// What the code of one folder adds to its `reference.yaml`.
+/// Code that adds to the `reference.yaml` of one folder.
 struct SourceExtension {
   std::string folder;
-  /// What the source prints of a result and the JSON document does not hold, by key; stands below
-  /// `derived` there.
+  /// Quantities printed in the source that the JSON document of a result lacks, by key; placed below `derived` there.
   std::function<nlohmann::ordered_json(const Result&)> derived = {};
-  /// What the source's formulas give without a case, by key.
+  /// Results of the source's formulas without a case, by key.
   std::function<nlohmann::ordered_json(const Reference&)> formulas = {};
   std::function<std::vector<ValidationTable>(const Reference&)> tables = {};
-  /// On the case `subject`.
+  /// Results on the case `subject`.
   std::function<Supplement(const Case&, const Reference&)> supplement = {};
   /// File of that case; empty for the first one of the reference.
   std::string subject = {};
-  bool is_built = true;  ///< False where the program leaves the code of the source out (PRS_FULL).
+  bool is_built = true;  ///< false if the program omits the code of the source (PRS_FULL).
 };
 
-/// Is told which source comes next, and how many of all are done.
+/// Callback with the next source, and the number of finished and of all sources.
 using ValidationProgress = std::function<void(const std::string& source, std::size_t done, std::size_t all)>;
 
-/// Runs every folder of `directory` that has a `reference.yaml`, or `directory` itself where it has
-/// one. Throws input::InputError.
+/// Runs every folder of `directory` that has a `reference.yaml`, or `directory` itself if it has one. Throws
+/// input::InputError.
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
                                    const std::vector<SourceExtension>& extensions,
                                    const ValidationProgress& progress = {});

@@ -27,7 +27,7 @@ namespace nb = nanobind;
 namespace prs::python {
 namespace {
 
-/// A source that finds its files from wherever it is used later.
+/// A source that finds its files from any working directory.
 input::Source load(const std::string& file, std::vector<std::string> overrides) {
   input::Source source = input::load_source(file, std::move(overrides));
   source.folder = std::filesystem::absolute(file).parent_path();

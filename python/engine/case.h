@@ -14,28 +14,27 @@
 
 namespace prs::python {
 
-/// A case as it was written, read once for each command that is asked for. Threads may share it:
-/// what it keeps is only touched by who has the interpreter, as whoever forks the process has.
+/// A case as written, read once for each command used. Threads may share it: its cached data are only accessed by the
+/// thread with the interpreter, also when the process forks.
 class CaseSource {
  public:
-  /// Reads and checks it. Throws InputError, with the text of `prs check`.
+  /// Reads and checks a source. Throws InputError, with the text of `prs check`.
   explicit CaseSource(input::Source source);
 
   const input::Source& source() const { return *source_; }
 
-  /// The document of a command that delivers one, once it is looked at. Throws InputError where it
-  /// needs what the case lacks.
+  /// Document of a command that delivers one, computed when it is first read. Throws InputError if the case lacks
+  /// inputs.
   std::shared_ptr<Document> run(const AnyAnalysis& row) const;
 
-  /// Writes the page of `prs report`, with the studies that folders hold and what the folder `live_parts` has
-  /// of live pages; whether all converged.
+  /// Writes the page of `prs report`, with the studies in folders and the live parts in the folder `live_parts`;
+  /// returns whether all converged.
   bool report(const std::string& file, const std::vector<std::string>& results, const std::string& live_parts) const;
 
-  /// Axial profiles of the threads as JSON, SI: what solid models of the grooved bodies are made
-  /// of.
+  /// Axial profiles of the threads as JSON, SI units, for solid models of the grooved bodies.
   std::string thread_profiles() const;
 
-  /// Writes one of the forms of `prs export`, by its ending; its warnings.
+  /// Writes one of the forms of `prs export`, chosen by its ending; returns warnings.
   std::vector<std::string> export_model(const std::string& file, std::optional<double> force,
                                         std::optional<double> speed, std::optional<std::string> load_case,
                                         std::optional<double> friction_load) const;

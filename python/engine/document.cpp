@@ -21,7 +21,7 @@ namespace {
 
 using Json = Document::Json;
 
-/// Documents of the program are a dozen levels deep.
+/// Largest depth; documents of the program have a dozen levels.
 constexpr int kMostLevels = 64;
 
 bool is_number_or_null(const Json& json) { return json.is_number() || json.is_null(); }

@@ -14,36 +14,36 @@
 
 namespace prs::python {
 
-/// A result document: made when it is first looked at, and kept. Threads may share it: what it
-/// keeps is only touched by who has the interpreter, as whoever forks the process has.
+/// A result document: computed when it is first read, and kept. Threads may share it: its cached data are only accessed
+/// by the thread with the interpreter, also when the process forks.
 class Document : public std::enable_shared_from_this<Document> {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `pictures` keep what they show.
+  /// `pictures` keep their data.
   explicit Document(std::function<Json()> make, Pictures pictures = {}, std::optional<bool> converged = std::nullopt)
       : make_(std::move(make)), pictures_(std::move(pictures)), converged_(converged) {}
 
-  /// A document of the program. Throws std::invalid_argument where the text is none.
+  /// A document of the program from its text. Throws std::invalid_argument for other texts.
   static std::shared_ptr<Document> from_text(const std::string& text);
 
   const Json& json() const;
 
-  /// Whether the command ends with 0; none of a document that was read.
+  /// Whether the command ends with 0; none for a document from a text.
   std::optional<bool> converged() const { return converged_; }
 
-  /// As `--json` prints it.
+  /// Text as printed by `--json`.
   std::string text() const;
 
-  /// Description of one picture as JSON text, see prs/record/pictures.h; of a document that was
-  /// read, one of those that it holds. Throws std::invalid_argument where there is none.
+  /// Description of one picture as JSON text, see prs/record/pictures.h; for a document from a text, one of those that
+  /// it contains. Throws std::invalid_argument if there is none.
   std::string figure(const std::string& name, const std::string& options, bool one_panel) const;
 
-  /// Those that a command writes, as a list.
+  /// List of the pictures that a command writes.
   std::string figures() const;
   bool has_pictures() const { return !pictures_.empty() || json().contains("figures"); }
 
-  /// Numbers of an array within the document, null as NaN; they live as long as anyone uses them.
+  /// Numbers of an array within the document, null as NaN; they live as long as they are used.
   std::shared_ptr<const std::vector<double>> numbers(const Json& array) const;
 
  private:
@@ -70,7 +70,7 @@ struct Node {
 
 void bind_document(nanobind::module_& module);
 
-/// A read-only array of numpy on memory that lives as long as the array.
+/// A read-only numpy array on memory that lives as long as the array.
 nanobind::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows);
 nanobind::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows, std::size_t columns);
 

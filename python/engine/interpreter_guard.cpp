@@ -12,12 +12,12 @@ namespace nb = nanobind;
 namespace prs::python {
 namespace {
 
-/// All work that is under way.
+/// Count of all work in progress.
 struct UnderWay {
   std::mutex mutex;
   std::condition_variable changed;
   std::set<Supervision*> supervised;
-  std::size_t away = 0;  ///< Threads that have left the interpreter to others.
+  std::size_t away = 0;  ///< Threads that have released the interpreter.
   bool ending = false;
 };
 
@@ -37,8 +37,8 @@ void unlock_after_fork() {
   under_way().mutex.unlock();
 }
 
-/// A forked process has the forking thread only, and none of the work of the others. Locks that
-/// those hold would stay locked for ever.
+/// A forked process has only the forking thread, without the work of the others. Locks held by those would stay locked
+/// forever.
 void register_fork_handlers() {
   ::pthread_atfork(lock_for_fork, unlock_after_fork, [] {
     under_way().away = 0;

@@ -13,9 +13,8 @@
 
 namespace prs::python {
 
-/// While it lives, this thread leaves the interpreter to others. Once the interpreter has begun to
-/// end it does nothing: a thread that comes back to an interpreter that has ended takes the process
-/// down.
+/// Releases the interpreter while the object lives. After the interpreter has begun to end it does nothing: a thread
+/// that returns to an ended interpreter crashes the process.
 class GilRelease {
  public:
   GilRelease();
@@ -27,7 +26,7 @@ class GilRelease {
   PyThreadState* state_ = nullptr;
 };
 
-/// Between long work and the interpreter: how far the one is, whether the other wants it to stop.
+/// Link between long work and the interpreter: progress of the one, requests to stop from the other.
 class Supervision {
  public:
   Supervision();
@@ -53,8 +52,8 @@ class Supervision {
   StudyProgress progress_;
 };
 
-/// Runs `work(supervision)` on a thread of its own, while this one calls `show(done, total)`,
-/// unless it is None, and has Ctrl-C, what `show` throws and the interpreter's end end the work.
+/// Runs `work(supervision)` in another thread, while this one calls `show(done, total)`, unless it is None; Ctrl-C,
+/// exceptions of `show` and the interpreter's end stop the work.
 template <class Work>
 auto beside_interpreter(Work work, const nanobind::object& show) {
   constexpr std::chrono::milliseconds kGlance{50};
@@ -82,8 +81,7 @@ auto beside_interpreter(Work work, const nanobind::object& show) {
   return future.get();
 }
 
-/// Has the interpreter, before it ends, stop supervised work and wait for what else is under way on
-/// other threads.
+/// Makes the interpreter, before it ends, stop supervised work and wait for other work in progress on other threads.
 void end_work_with(nanobind::module_& module);
 
 }  // namespace prs::python

@@ -34,7 +34,7 @@ namespace nb = nanobind;
 
 namespace {
 
-/// As `rollerscrew.InputError`, which says its parts.
+/// Converts to `rollerscrew.InputError`, with its parts as attributes.
 void raise_input_errors(const std::exception_ptr& thrown, void*) {
   try {
     std::rethrow_exception(thrown);
@@ -54,8 +54,8 @@ NB_MODULE(_engine, module) {
   using namespace prs::python;
   module.doc() = "The engine of rollerscrew: cases, studies and documents as the program has them.";
   module.attr("version") = kVersion;
-  simd::widest();        // An import fails where PRS_INSTRUCTION_SET names no set that is here.
-  fe::Cholesky::name();  // Loads its library: a fork must not find a thread that is about to.
+  simd::widest();        // The import fails if PRS_INSTRUCTION_SET names an unavailable set.
+  fe::Cholesky::name();  // Loads the library: a fork must not happen while a thread loads it.
   nb::register_exception_translator(raise_input_errors);
   module.def(
       "schema", [] { return json_text(input::schema()); }, "JSON Schema of the input, as `prs schema` prints it.");

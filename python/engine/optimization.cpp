@@ -20,7 +20,7 @@ namespace nb = nanobind;
 namespace prs::python {
 namespace {
 
-/// The document, and the source with the chosen design written into it.
+/// Document, and the source with the chosen design written into it.
 using Outcome = std::pair<std::shared_ptr<Document>, std::optional<std::string>>;
 
 std::optional<Outcome> optimize(const input::Source& source, std::size_t threads, Supervision& supervision) {

@@ -33,15 +33,15 @@ namespace nb = nanobind;
 namespace prs::python {
 namespace {
 
-/// Number of a design, how it ended and why.
+/// Number, status and reason of a design.
 using Failure = std::tuple<std::size_t, std::string, std::string>;
 
-/// Answers of many designs, a row each.
+/// Results of many designs, one row each.
 struct Designs {
   std::vector<std::string> responses;
   std::size_t count = 0;
-  std::shared_ptr<const std::vector<double>> values;  ///< count x responses; NaN where none.
-  std::vector<Failure> failures;                      ///< All other designs converged.
+  std::shared_ptr<const std::vector<double>> values;  ///< count x responses; NaN if missing.
+  std::vector<Failure> failures;                      ///< Designs that did not converge.
 };
 
 /// A study of a file, ready to run.
@@ -167,7 +167,7 @@ StudyRows collect(const std::shared_ptr<StudySource>& source, const std::vector<
   return {source, StoredRows(std::move(journals))};
 }
 
-/// A record of designs that nobody could answer.
+/// A record for designs without results.
 std::string failed_record(const StudySource& source, std::size_t first, std::size_t count, const std::string& reason) {
   source.require_designs(first, count);
   RowBlock block{first, count, {}, {}};
@@ -178,8 +178,7 @@ std::string failed_record(const StudySource& source, std::size_t first, std::siz
 
 using Numbers = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
-/// The designs that the rows of an array give: a number in the factor's unit or, of a factor with
-/// levels, the index of one.
+/// Designs from the rows of an array: a number in the factor's unit or, for a factor with levels, the index of one.
 std::vector<std::vector<Draw>> draws_of(const Study& study, const double* numbers, std::size_t rows) {
   const std::size_t factors = study.factors.size();
   std::vector<std::vector<Draw>> designs(rows);
@@ -203,10 +202,10 @@ std::vector<std::vector<Draw>> draws_of(const Study& study, const double* number
   return designs;
 }
 
-/// So many designs are evaluated between two looks at whether to go on.
+/// Number of designs evaluated between checks for a stop.
 constexpr std::size_t kDesignsAtOnce = 32'768;
 
-/// Answers of the rows of an array; fewer where the work was stopped.
+/// Results for the rows of an array; fewer if the work was stopped.
 Designs evaluate(const StudySource& source, const double* numbers, std::size_t rows, std::size_t threads,
                  Supervision& supervision) {
   const Study& study = source.study();

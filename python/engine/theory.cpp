@@ -27,7 +27,7 @@ using Table = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::c
 
 constexpr const char* kTable = "(table: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]";
 
-/// A function of rows of numbers: `in` of one row, and room for `out` answers.
+/// A function of rows of numbers, with `in` inputs and `out` results per row.
 template <std::size_t in, std::size_t out, class Function>
 void bind_rows(nb::module_& module, const char* name, const char* signature, const char* doc, Function function) {
   module.def(
@@ -45,7 +45,7 @@ void bind_rows(nb::module_& module, const char* name, const char* signature, con
       nb::arg("table"), nb::sig(signature), doc);
 }
 
-/// kappa_1, kappa_2, E*, N
+/// Inputs: kappa_1, kappa_2, E*, N.
 void hertz(const double* in, double* out) {
   const contact::HertzConstants constants = contact::hertz_constants(in[0], in[1], in[2]);
   const contact::HertzContact loaded = contact::at_load(constants, in[3]);
@@ -55,7 +55,7 @@ void hertz(const double* in, double* out) {
   for (const double answer : answers) *out++ = constants.ok() ? answer : none;
 }
 
-/// eta_0, alpha, |u|, N, rho_x, E*, lambda
+/// Inputs: eta_0, alpha, |u|, N, rho_x, E*, lambda.
 void film(const double* in, double* out) {
   *out = contact::nijenbanning_film(
              {.viscosity = in[0], .pressure_viscosity = in[1]},
@@ -63,7 +63,7 @@ void film(const double* in, double* out) {
              .thickness;
 }
 
-/// eta_0, alpha, tau_0, |u|, |v_D|, N, rho_x, E*, p_D
+/// Inputs: eta_0, alpha, tau_0, |u|, |v_D|, N, rho_x, E*, p_D.
 void friction(const double* in, double* out) {
   const contact::Lubricant lubricant{.viscosity = in[0], .pressure_viscosity = in[1], .eyring_stress = in[2]};
   const contact::FilmContact at{.normal_load = in[5], .curvature = in[6], .contact_modulus = in[7]};

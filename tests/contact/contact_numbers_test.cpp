@@ -33,7 +33,7 @@ MechanismNumbers<double> with_moduli(const MechanismGeometry& m) {
   return numbers;
 }
 
-/// Every fourth with heights and thicknesses of its own, every ninth with a thread that cannot be.
+/// Random mechanisms, every fourth with stated heights and thicknesses, every ninth with an impossible thread.
 std::vector<MechanismGeometry> random_mechanisms(int count) {
   test::RandomMechanisms usual(5), others(6, test::RandomMechanisms::Rollers::straight_or_concave);
   std::vector<MechanismGeometry> mechanisms;
@@ -51,11 +51,11 @@ std::vector<MechanismGeometry> random_mechanisms(int count) {
   return mechanisms;
 }
 
-/// Largest difference of numbers that stand one after the other, over the scale of their kind.
+/// Largest difference of corresponding numbers, over the scale of their kind.
 struct Worst {
   double geometry = 0.0;   ///< Places over radii, angles in rad, directions.
-  double curvature = 0.0;  ///< Over the larger one.
-  double hertz = 0.0;      ///< Each over itself, times how nearly the surfaces conform.
+  double curvature = 0.0;  ///< Difference over the larger curvature.
+  double hertz = 0.0;      ///< Relative differences, times the degree of conformity of the surfaces.
 
   void add(double& worst, double difference) { worst = std::max(worst, std::abs(difference)); }
 
@@ -83,8 +83,8 @@ struct Worst {
   }
 };
 
-/// Each interface against `interface_geometry` and `hertz_constants`, which are tested against
-/// the papers and other solvers.
+/// Each interface is compared with `interface_geometry` and `hertz_constants`, which are tested against the papers and
+/// other solvers.
 TEST(ContactNumbers, EveryInstructionSetFindsTheContactsOfOneMechanism) {
   const std::vector<MechanismGeometry> mechanisms = random_mechanisms(::test::count(2000, 100'000) + 3);
   std::vector<MechanismNumbers<double>> numbers;
@@ -109,7 +109,7 @@ TEST(ContactNumbers, EveryInstructionSetFindsTheContactsOfOneMechanism) {
       const MechanismContact scalar = mechanism_contact(m, Configuration::i1_j2);
       const auto compare = [&](const InterfaceGeometry& n, const InterfaceGeometry& g, const HertzConstants& h,
                                double modulus) {
-        // Why there is none may differ: a descent that finds no minimum ends anywhere.
+        // Reasons for failure may differ: a descent that finds no minimum ends anywhere.
         ASSERT_EQ(n.ok(), g.ok()) << k;
         if (!g.ok()) return;
         ++contacts;

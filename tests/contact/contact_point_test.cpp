@@ -75,8 +75,8 @@ std::vector<NamedPair> pairs_of(const MechanismGeometry& m) {
           {nut_pair(m), RollerFace::top}};
 }
 
-/// Holds the contact points of `wanted` mechanisms with contacts at both interfaces to closure,
-/// equal normals and Sandu's equations.
+/// Checks the contact points of `wanted` mechanisms with contacts at both interfaces for closure, equal normals and
+/// Sandu's equations.
 void expect_closure_and_equal_normals(RandomMechanisms random, int wanted) {
   int found = 0;
   double worst_gap = 0.0, worst_normal = 0.0, worst_equation = 0.0;
@@ -152,8 +152,8 @@ double clearance(const ThreadPair& pair, RollerFace face, double x, double y) {
          gamma_of(face) * (pair.body.reduced_lead * turn - pair.roller.reduced_lead * roller_turn);
 }
 
-/// Looks for a minimum of the clearance inside both flanks by values only: the best point of a
-/// grid, then a pattern search. None where that ends on the border.
+/// Minimum of the clearance inside both flanks by values only: the best point of a grid, then a pattern search. None if
+/// that ends on the border.
 std::optional<Eigen::Vector2d> minimum_by_direct_search(const ThreadPair& pair, RollerFace face) {
   const double inner = pair.body.smallest_radius, outer = pair.body.largest_radius;
   Eigen::Vector2d best(0, 0);
@@ -204,8 +204,7 @@ TEST(ContactPoint, IsFoundWhereverADirectSearchFindsAMinimum) {
       ++seen;
       const ContactPoint p = find_contact_point(pair, face);
       ASSERT_TRUE(p.ok()) << i;
-      // Nothing on the flanks lies lower, and the search, good to sqrt(eps), ends at the same
-      // place.
+      // No point on the flanks lies lower, and the search, good to sqrt(eps), ends at the same place.
       EXPECT_LE(clearance(pair, face, p.position.x, p.position.y),
                 clearance(pair, face, lowest->x(), lowest->y()) + 1e-15)
           << i;
@@ -355,7 +354,7 @@ TEST(ContactPoint, ThinnerThreadsHaveMoreBacklash) {
   EXPECT_NEAR(find_contact_point(nut_pair(m), RollerFace::bottom).backlash, nut + 0.05 * mm, 1e-17);
 }
 
-/// The radii of Abevi's screw leave no play, but for the rounding of their sums.
+/// The radii of Abevi's screw leave no play, up to the rounding of their sums.
 TEST(ContactPoint, BacklashWithinTheRoundingOfTheRadiiIsNone) {
   MechanismGeometry m = test::abevi();
   EXPECT_EQ(find_contact_point(screw_pair(m), RollerFace::top).backlash, 0.0);

@@ -40,8 +40,8 @@ TEST(SanduFilm, FollowsThePowersOfItsFormula) {
   }
 }
 
-/// Units of length, force and time that differ by a, b and c change the film by a and nothing else:
-/// it depends on U, M, L and lambda alone, and on viscosity and speed by their product.
+/// Units of length, force and time that differ by a, b and c change the film by the factor a only: it depends on U, M,
+/// L and lambda alone, and on viscosity and speed by their product.
 TEST(Film, DoesNotDependOnUnits) {
   const FilmContact contact{197.5, 350.0, 115.385e9, 0.7};
   const double a = 3.7, b = 0.2, c = 11.0;
@@ -58,7 +58,7 @@ TEST(Film, DoesNotDependOnUnits) {
     EXPECT_NEAR(film(oil, same, 0.5 * a / c).thickness / film(kGrease, contact, 0.5).thickness, a, 1e-13);
 }
 
-/// Sandu's reference example, computed apart from this program to four digits.
+/// Sandu's reference example, computed independently to four digits.
 TEST(NijenbanningFilm, OfTheReferenceExample) {
   struct Example {
     double load, lubricant, ratio, curvature, thickness;
@@ -76,7 +76,7 @@ TEST(NijenbanningFilm, OfTheReferenceExample) {
   }
 }
 
-/// Far into a regime its own power law remains, for a circle and for a wide ellipse.
+/// Far into a regime its power law remains, for a circle and for a wide ellipse.
 TEST(NijenbanningFilm, TendsToTheFilmOfEachRegime) {
   for (const double ratio : {1.0, 0.1}) {
     const double k = 1.0 + 0.006 * std::log(ratio) + 0.63 * std::pow(ratio, 4.0 / 7.0);
@@ -94,8 +94,7 @@ TEST(NijenbanningFilm, TendsToTheFilmOfEachRegime) {
   }
 }
 
-/// Eighth powers of films of 1e+-60 are beyond double: against the formula as printed, in long
-/// double.
+/// Eighth powers of films of 1e+-60 are beyond double: comparison with the formula as printed, in long double.
 TEST(NijenbanningFilm, IsTheFormulaAtAnyLoadAndLubricant) {
   for (const double ratio : {1e-6, 0.05, 0.3, 0.8, 1.0})
     for (int log_m = -60; log_m <= 60; log_m += 3)
@@ -129,12 +128,12 @@ TEST(ChittendenFilm, AlongTheMinorAxisIsThatOfHamrockAndDowson) {
   }
 }
 
-/// Computed apart from this program, at 30 deg to the minor axis.
+/// Computed independently, at 30 deg to the minor axis.
 TEST(ChittendenFilm, OfOneContact) {
   EXPECT_NEAR(chittenden_film(kGrease, along_rolling(350.0, 0.5), 0.5, 0.25) / 177.409503421e-9, 1.0, 1e-9);
 }
 
-/// Along the major axis the two radii change places; a circle has no direction.
+/// Along the major axis the two radii are exchanged; a circle has no direction.
 TEST(ChittendenFilm, KnowsTheAxesByTheirRadiiAlone) {
   const double along_major = chittenden_film(kGrease, along_rolling(350.0, 0.4), 0.5, 1.0);
   EXPECT_NEAR(chittenden_film(kGrease, along_rolling(350.0 * 0.4, 1.0 / 0.4), 0.5, 0.0) / along_major, 1.0, 1e-14);
@@ -193,7 +192,7 @@ TEST(FilmFactor, FollowsItsFormula) {
                           (1.0 + 0.213 * (1.0 + 2.23 * std::pow(0.6, 0.83)) * std::pow(loading, 0.64));
   EXPECT_NEAR(film_factor(oil, warmed(1.0, 0.14), 1e9, 1.0, 0.3), expected, 1e-14);
   EXPECT_NEAR(film_factor(oil, warmed(0.5, 0.14), 1e9, 1.0, 0.3), 0.5 * expected, 1e-14);
-  // The numerator is kept above 0.05.
+  // The numerator has the lower bound 0.05.
   const double hot = 0.04 * 0.1665 * 50.0 * 50.0 / 0.14;
   EXPECT_NEAR(film_factor(oil, warmed(1.0, 0.14), 3e9, 100.0, 0.0), 0.05 / (1.0 + 0.213 * std::pow(hot, 0.64)), 1e-14);
 }

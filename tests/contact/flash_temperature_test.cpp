@@ -22,7 +22,7 @@ HeatedBody steel(double along_major, double along_minor) { return {45.0, 7810.0,
 
 double peak_flux(const HertzContact& e) { return 3.0 * kPower / (2.0 * kPi * e.semi_major * e.semi_minor); }
 
-/// At the centre of a source at rest, q_0 sqrt(1 - r^2/R(phi)^2) over 2 pi k r: q_0/(8 k) times the
+/// Temperature at the centre of a source at rest, q_0 sqrt(1 - r^2/R(phi)^2) over 2 pi k r: q_0/(8 k) times the
 /// integral of R over the azimuth.
 TEST(FlashTemperature, SlowContactsAreThoseAtRest) {
   for (const double b : {0.4e-3, 0.2e-3, 0.03e-3}) {
@@ -39,8 +39,8 @@ TEST(FlashTemperature, SlowContactsAreThoseAtRest) {
   }
 }
 
-/// A body that passes quickly is warmed as a half space by the flux q(t) that a point of it sees,
-/// integral of q(s)/sqrt(pi k rho c (t - s)).
+/// A body that passes quickly is heated as a half space by the flux q(t) at one of its points, integral of q(s)/sqrt(pi
+/// k rho c (t - s)).
 TEST(FlashTemperature, FastContactsAreMovingBands) {
   const auto integral = [](double x) {
     const int n = 400;  // s = x - (1 + x) sin^2(u)

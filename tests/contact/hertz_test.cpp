@@ -44,10 +44,9 @@ std::vector<double> curvature_ratios(double largest) {
   return q;
 }
 
-/// Displacement of the surface of an elastic half-space under a contact's pressure (Boussinesq),
-/// sum of both bodies, at a point inside the ellipse: 1/(pi E*) int int p/rho dA. Along a chord
-/// the pressure is a semi-ellipse, so only the integral over the chord's direction remains, and
-/// that one is periodic: the trapezoidal rule converges exponentially.
+/// Displacement of the surface of an elastic half-space under a contact's pressure (Boussinesq), sum of both bodies, at
+/// a point inside the ellipse: 1/(pi E*) int int p/rho dA. Along a chord the pressure is a semi-ellipse, so only the
+/// periodic integral over the chord's direction remains: the trapezoidal rule converges exponentially.
 double boussinesq_displacement(const HertzContact& c, double modulus, double x, double y) {
   const int directions = 4000;
   double sum = 0.0;

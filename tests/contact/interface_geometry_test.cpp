@@ -21,9 +21,9 @@ using test::RandomMechanisms;
 
 Eigen::Vector3d eigen(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// Depth of a body's surface behind the tangent plane at the contact point, at the tangent vector
-/// `t` from it, found from the surface equation alone: moves along the normal to the surface.
-/// `centre_x` is where the thread's axis is, `n` the outward normal of the material.
+/// Depth of a body's surface behind the tangent plane at the contact point, at the tangent vector `t` from it, found
+/// from the surface equation alone: moves along the normal to the surface. `centre_x`: position of the thread's axis,
+/// `n`: outward normal of the material.
 double depth_behind_tangent_plane(const ThreadSurface& s, double centre_x, int gamma, const ContactPoint& p,
                                   const Eigen::Vector3d& n, const Eigen::Vector3d& t) {
   const Eigen::Vector2d at(p.position.x - centre_x, p.position.y);
@@ -213,7 +213,7 @@ TEST(InterfaceGeometry, YaoTable1ScrewPointIsNearThePrintedOneWhichDoesNotClose)
 }
 
 TEST(InterfaceGeometry, YaoTable1ContactWithTheRightEllipticParameter) {
-  // Corrected values (errata 1), at the load that the paper used, (27) and (28).
+  // Corrected values (errata 1), at the load of the paper, (27) and (28).
   const MechanismContact c = mechanism_contact(test::yao(), Configuration::i1_j2);
   const double modulus = contact_modulus({212 * GPa, 0.29}, {212 * GPa, 0.29});
   const double helix = std::atan(5 / (std::numbers::pi * 16));

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kViscosity = 0.08, kSpeed = 120.0;
 constexpr JournalBearing kHead{0.004, 0.008, 20e-6};
 
-/// Surface speed, and the load and torque of which the results are multiples.
+/// Surface speed, and the load and torque used as units of the results.
 double surface_speed(const JournalBearing& b) { return 0.5 * kSpeed * b.diameter; }
 double load_unit(const JournalBearing& b) {
   return kViscosity * surface_speed(b) * std::pow(b.length, 3) / (4.0 * std::pow(b.radial_clearance, 2));
@@ -29,8 +29,8 @@ double integral(const auto& f, double from, double to) {
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(f, from, to, 8, 1e-12);
 }
 
-/// What the film does at a given eccentricity: its pressure and shear stress integrated over the
-/// journal's surface, the pressure field itself being the only formula.
+/// Film at a given eccentricity: its pressure and shear stress integrated over the journal's surface, with the pressure
+/// field as the only formula.
 struct JournalFilm {
   double along = 0.0, across = 0.0;  ///< Load along the line of centres and across it.
   double torque = 0.0;
@@ -82,10 +82,10 @@ TEST(ShortBearing, EccentricityAnswersTheLoad) {
   const double unit = load_unit(kHead);
   for (double load = 1e-18; load < 1e18; load *= 1.7) {
     const double eps = short_bearing(kHead, kViscosity, kSpeed, load * unit).eccentricity_ratio;
-    if (load > 1e6) break;  // From here on 1 - eps has lost its digits, but not the torque.
+    if (load > 1e6) break;  // Beyond this load 1 - eps has lost its digits, but not the torque.
     const double free = (1.0 - eps) * (1.0 + eps);
     const double carried = eps / (free * free) * std::sqrt(16 * eps * eps + pi * pi * free);
-    // 1 - eps has a rounding error of 1e-16, and free as many times more as it is smaller.
+    // 1 - eps has a rounding error of 1e-16, and `free` a correspondingly larger relative one.
     EXPECT_NEAR(carried / load, 1.0, 1e-14 + 1e-15 / free) << load;
   }
 }
@@ -108,9 +108,9 @@ TEST(ShortBearing, LightAndHeavyLoadsAreTheAsymptotes) {
 }
 
 TEST(ShortBearing, AgreesWithTheTableOfRaimondiAndBoyd) {
-  // Raimondi and Boyd 1958, part III, full bearing, L/D = 1/4: eps, Sommerfeld number
-  // S = eta N/P (D/2c)^2, friction variable f D/2c. They keep the flow around, which lets a film
-  // of this length carry 2 to 7 % less up to eps = 0.6.
+  // Raimondi and Boyd 1958, part III, full bearing, L/D = 1/4: eps, Sommerfeld number S = eta N/P (D/2c)^2, friction
+  // variable f D/2c. They include the flow around, with which a film of this length carries 2 to 7 % less up to eps =
+  // 0.6.
   struct Row {
     double eps, sommerfeld, friction;
   };
@@ -157,7 +157,7 @@ TEST(ShortBearing, AtRestNothingResists) {
   EXPECT_EQ(short_bearing(kHead, kViscosity, 0.0, 0.0).eccentricity_ratio, 0.0);
   EXPECT_EQ(short_bearing(kHead, kViscosity, 0.0, 50.0).torque, 0.0);
   EXPECT_EQ(short_bearing(kHead, kViscosity, 0.0, 50.0).eccentricity_ratio, 1.0);
-  // As the limit of a slow journal.
+  // Limit of a slow journal.
   double before = kInfinity;
   for (double speed = 1.0; speed > 1e-12; speed *= 0.1) {
     const JournalBearingState state = short_bearing(kHead, kViscosity, speed, 50.0);

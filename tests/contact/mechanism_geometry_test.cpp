@@ -86,7 +86,7 @@ TEST(MechanismDesign, BacklashIsMetToATrillionthOfAMetre) {
       continue;
     }
     ++designed;
-    // Solve again from the designed dimensions alone.
+    // Solves again from the designed dimensions alone.
     const MechanismContact again = mechanism_contact(d.mechanism, Configuration::i2_j1);
     worst = std::max({worst, std::abs(again.screw.point.backlash - wanted_backlash.screw),
                       std::abs(again.nut.point.backlash - wanted_backlash.nut)});
@@ -197,7 +197,7 @@ TEST(MechanismGeometry, OriginsBringTheContactPointsTogether) {
 }
 
 TEST(MechanismGeometry, YaosClearanceIsHalfTheBacklashOfThreadsWithTheirThickness) {
-  // Yao 2023, (55), with the thread thicknesses of table A1 and positive where (56) asks for it.
+  // Yao 2023, (55), with the thread thicknesses of table A1 and positive where (56) requires it.
   MechanismGeometry m = test::yao();
   m.screw.thickness = m.nut.thickness = 2 * mm;
   m.roller.thickness = 2.4 * mm;

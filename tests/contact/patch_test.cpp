@@ -84,7 +84,7 @@ TEST(Patch, CoulombSpinOfACircleHasTheClosedForm) {
 }
 
 TEST(Patch, TheCentreOfPureSpinHasNoDirection) {
-  // Rounding noise in the centre's velocity must leave no traction behind.
+  // Rounding noise in the centre's velocity must not cause a traction.
   const PatchGrid grid(21);
   for (const bool coulomb : {false, true}) {
     const Patch patch = coulomb ? Patch(grid, kEllipse, friction_law(Coulomb{0.1}))
@@ -106,7 +106,7 @@ TEST(Patch, SumsWhatItsFieldsShow) {
     const Eigen::ArrayXd v_1 = patch.sliding_major(motion), v_2 = patch.sliding_minor(motion);
     const Eigen::ArrayXd speed = (v_1.square() + v_2.square()).sqrt();
     const Eigen::ArrayXd mu = patch.friction_coefficient(motion);
-    const Eigen::ArrayXd load = grid.cell_load() * grid.dome();  // of each point, over N
+    const Eigen::ArrayXd load = grid.cell_load() * grid.dome();  // load of each point, over N
     const PatchFriction f = patch.friction(motion);
     const auto expect = [](double value, double expected) { EXPECT_NEAR(value / expected, 1.0, 1e-13); };
     expect(f.traction_major, (mu * load * v_1 / speed).sum());

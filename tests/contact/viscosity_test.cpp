@@ -14,7 +14,7 @@ TEST(Walther, LineGoesThroughItsPoints) {
   for (const double hot : {0.3000001, 0.35, 0.9, 5.4, 30.0})
     for (const double cold : {31.0, 320.0, 1e5}) {
       const WaltherLine line = walther_line(313.15, cold * mm2_per_s, 373.15, hot * mm2_per_s);
-      // Of the distance from 0.3 mm^2/s, to which the hot point comes close.
+      // Relative to the distance from 0.3 mm^2/s, which is small at the hot point.
       EXPECT_NEAR(kinematic_viscosity(line, 313.15) / mm2_per_s / cold, 1.0, 1e-12);
       EXPECT_NEAR(kinematic_viscosity(line, 373.15) / mm2_per_s / hot, 1.0, 1e-12) << hot;
       EXPECT_GT(line.slope, 0.0);

@@ -136,8 +136,8 @@ TEST(Axisymmetric, QuadraticFieldsAreSolvedExactly) {
   check(3, sample(g.mesh(), plane), {});
 }
 
-/// Radial displacement at the bore of a thick cylinder under inner pressure, plane strain, less
-/// Lame's, relative.
+/// Relative error of the radial displacement at the bore of a thick cylinder under inner pressure, plane strain,
+/// against Lame.
 double lame_error(int elements) {
   const double a = 1.0, b = 3.0, p = 1e6;
   const MeshedGrid g(rectangle(a, b, 0.0, 0.5, 1, elements));
@@ -215,8 +215,8 @@ TEST(Axisymmetric, CantileverTendsToTimoshenko) {
   EXPECT_LT(std::abs(2.0 * errors[2] - errors[1]), 1e-4);
 }
 
-/// Sinking of the centre of a Hertz pressure on a circle of radius 1 against its edge, on a block
-/// that is 30 radii wide and deep, less the half-space's, relative.
+/// Relative error of the sinking of the centre of a Hertz pressure on a circle of radius 1 against its edge, on a block
+/// that is 30 radii wide and deep, against the half-space.
 double hertz_patch_error(int cells) {
   const double size = 30.0, p = 1.0, nu = kSteel.poisson_ratio;
   MeridianGrid grid(cells, cells);

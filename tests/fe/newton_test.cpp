@@ -75,7 +75,7 @@ TEST(Newton, TailIsQuadratic) {
   EXPECT_GE(checked, 1);
 }
 
-/// Newton's method alone leaves a third of the approach in each step.
+/// Plain Newton's method leaves a third of the approach in each step.
 TEST(Newton, OpensWhatNothingLoadsInFewSteps) {
   Model m = pushed_node({{2e10, 0.0, 0.0}});
   const int idle = m.add_node(), ground = m.add_node();
@@ -151,7 +151,7 @@ TEST(Newton, SoftestStiffnessKeepsItsDigits) {
   EXPECT_NEAR(load.dot(rate) * 3.0 * beam.kSupport, 1.0, 1e-9);
 }
 
-/// Seat, ring and roller: each follows the one before, and the last alone is pushed by a contact.
+/// Seat, ring and roller: each follows the previous one, and only the last is pushed by a contact.
 TEST(Newton, FollowsWhatFollows) {
   constexpr double kBar = 1e7, kHertz = 1e10, kForce = 100.0, kAhead = -1e-6;
   Model m;

@@ -26,7 +26,7 @@ TEST(OvalShell, ARingUnderOppositeForcesGrowsAsTimoshenkoSays) {
   EXPECT_NEAR(growth, exact, 1e-6 * exact);
 }
 
-/// Over (w, w') of both ends.
+/// Stiffness over (w, w') of both ends.
 Eigen::Matrix4d nodal_of(const ShellMatrix& k) {
   Eigen::Matrix4d t;
   t << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Identity(), 0.5 * Eigen::Matrix2d::Identity(),

@@ -121,7 +121,7 @@ TEST(Shell, ConstantStrainNeedsForcesAtTheEndsOnly) {
   const ShellRigidity s = tube(17.5e-3, 23e-3, 25e-3);
   const double v = -s.axial_hoop / s.hoop * strain;  // H v + C u' = 0
   const double tension = s.axial * strain + s.axial_hoop * v;
-  const double moment = -(s.eccentric * strain + s.bending_hoop * v);  // of u, about r_0
+  const double moment = -(s.eccentric * strain + s.bending_hoop * v);  // moment of u, about r_0
   std::vector<ShellMatrix> shells;
   Eigen::VectorXd q(15);
   double x = 0.0;
@@ -185,7 +185,7 @@ double ring_displacement(const ShellRigidity& s, double wave_number) {
   return integral(turned, 1e-6, 0.5 * pi - 1e-6, 20000) / pi;
 }
 
-/// The same on a long chain of `shells` lengths to both sides.
+/// Displacement on a long chain of `shells` lengths to both sides.
 double ring_displacement_of_chain(const ShellRigidity& s, double length, int shells) {
   const std::vector<ShellMatrix> all(2 * static_cast<std::size_t>(shells), stiffness_matrix(s, length));
   Model m = chain(all);

@@ -16,7 +16,7 @@ double points(const input::LoadCaseItem& item) {
   return item.axial_force.steps.value_or(1) * orbit * positions;
 }
 
-/// Steps of an integration: the vibrations of what is stiffest and lightest.
+/// Whether an integration takes many steps: for the vibrations of the stiffest and lightest parts.
 bool vibrates_much(ResponseInput in) {
   const double stiffness = std::max({1e10, in.end_stops.upper ? in.end_stops.upper->stiffness : 0.0,
                                      in.end_stops.lower ? in.end_stops.lower->stiffness : 0.0});
@@ -29,7 +29,7 @@ bool vibrates_much(ResponseInput in) {
          (in.frequency_response && in.frequency_response->points > 200);
 }
 
-/// Rows of curves times passes over them, and what a row costs.
+/// Whether a fit takes long: rows of curves times passes over them, and the time of a row.
 bool fits_much(const input::FitItem& fit) {
   const auto slow = [](const input::FitCurveItem& item) {
     return item.response.find("heat_cycle") != std::string::npos;

@@ -4,8 +4,7 @@
 
 namespace prs::fuzz {
 
-/// Whether a case takes so long under sanitizers that it is left out. Files that do not read well
-/// take no time.
+/// Whether a case takes so long under sanitizers that it is left out. Invalid files take no time.
 bool asks_for_much(const input::Source& source);
 
 }  // namespace prs::fuzz

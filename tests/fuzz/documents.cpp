@@ -34,9 +34,9 @@ bool agree(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-// What must hold in a document
+// Invariants of a document
 
-/// The sum of all numbers of an array, whose arrays are rollers; none is negative.
+/// Sum of all numbers of an array, whose arrays are rollers; none may be negative.
 double sum_of_loads(const Json& loads, const std::string& what) {
   double sum = 0.0;
   for (const Json& load : loads) {
@@ -46,7 +46,7 @@ double sum_of_loads(const Json& loads, const std::string& what) {
   return sum;
 }
 
-/// What all threads of an interface carry is the axial force; of one sector, that of one roller.
+/// Checks that the loads of all threads of an interface sum to the axial force; for one sector, to that of one roller.
 void expect_balance(const Json& load_case) {
   // Under preload the other flank carries too, with friction that the document does not list.
   if (load_case.contains("flanks")) return;
@@ -68,7 +68,7 @@ void expect_balance(const Json& load_case) {
 }
 
 void expect_power_balance(const Json& slip) {
-  if (slip.value("status", "") == "imposed") return;  // What imposes it brings power of its own.
+  if (slip.value("status", "") == "imposed") return;  // The constraint that imposes the slip ratio adds power.
   if (!slip.value("converged", false) || !slip.contains("power_loss_input_output_W")) return;
   const double lost = slip.at("power_loss_W").get<double>();
   const double less = slip.at("power_loss_input_output_W").get<double>();
@@ -96,7 +96,7 @@ void expect_consistent(const Json& load_case, bool& converged) {
   }
 }
 
-/// What a drive took in is what it holds and what it lost.
+/// Checks that the energy input of a drive equals its stored and lost energy.
 void expect_energies(const Json& response) {
   expect(response.at("converged").get<bool>() == (response.at("status") == "converged"), "`converged` is not `status`");
   if (!response.at("converged").get<bool>()) return;
@@ -128,7 +128,7 @@ void expect_forms(const Delivery& delivery, bool drawn) {
   if (drawn && delivery.pictures) expect_drawable(delivery.pictures());
 }
 
-/// The base case of a study is the case: every number of its document that a response can name.
+/// Checks that the base case of a study is the case: every number of its document that a response can name.
 void expect_study_agrees(const input::Source& source, const Json& document, Command command) {
   std::vector<std::string> paths = response_paths(document);
   std::erase_if(paths, [](const std::string& path) {
@@ -151,7 +151,7 @@ void expect_study_agrees(const input::Source& source, const Json& document, Comm
   const DesignEngine engine = study_engine(in);
   const RowBlock base = engine.evaluate(0, 1);
   const bool fails = !base.failures.empty();
-  // Forces, moments and powers of friction are rounding of the load where there is none.
+  // Without load, forces, moments and powers of friction are rounding.
   double rounding = 0.0;
   if (const auto cases = document.find("load_cases"); cases != document.end() && !cases->empty())
     rounding = 1e-12 * std::abs(cases->front().value("axial_force_N", 0.0));
@@ -166,7 +166,7 @@ void expect_study_agrees(const input::Source& source, const Json& document, Comm
   }
 }
 
-/// What a document states as its input is that input again.
+/// Checks that the input stated in a document reads as that input again.
 void expect_stable_echo(const Json& resolved) {
   const input::Source again = input::source_of_text("case.yaml", resolved.dump(), {});
   Json second;
@@ -197,7 +197,7 @@ void run_command(const AnyAnalysis& row, const input::Source& source) {
     expect_study_agrees(source, document, row.command);
 }
 
-/// A file that is no case.
+/// Runs a file other than a case.
 void run_other(const OtherFile& file, const input::Source& source) {
   const Delivery delivery = file.run(source);
   expect_finite(delivery.document(document_info(source, file.command)), "");
@@ -210,7 +210,7 @@ void run_other(const OtherFile& file, const input::Source& source) {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-/// A design by itself is what it is among others.
+/// Checks that a design has the same result alone as among others.
 void expect_pure(const DesignEngine& engine, const RowBlock& all) {
   const std::size_t width = engine.study().responses.size();
   for (const std::size_t k : {std::size_t{0}, all.rows / 2, all.rows - 1}) {
@@ -231,7 +231,7 @@ void expect_known_status(const RowBlock& block) {
     expect(failure.status.name != "failed", fmt::format("design {} failed: {}", failure.row, failure.status.reason));
 }
 
-/// Whether it was small enough.
+/// Runs a study; returns whether it was small enough.
 bool run_study_document(const input::Source& source) {
   const input::StudyInput in = input::read_study_input(source);
   if (in.study.plan == Plan::derivatives) {
@@ -291,11 +291,12 @@ bool run_on_engine(const char* command, const input::Source& source) {
   return status != 2;
 }
 
-// What models of systems are made of
+// Curves for models of systems
 
-/// Forces rise with the deflection, and what is written reads back as the same curves.
+/// Checks that forces rise with the deflection, and that written curves read back as the same.
 bool run_export(input::Source source) {
-  source.overrides.emplace_back("model.patch_points=9");  // The losses of all temperatures, forces and speeds.
+  // With few points: the losses of all temperatures, forces and speeds are computed.
+  source.overrides.emplace_back("model.patch_points=9");
   const SystemModel model = system_model(source, {});
   const SystemCurves& curves = model.curves;
   expect_finite(curves_json(curves), "");
@@ -330,7 +331,7 @@ bool run_export(input::Source source) {
   return true;
 }
 
-/// Lives of threads are null exactly where their load is zero, else positive.
+/// Checks that lives of threads are null exactly if their load is zero, else positive.
 void expect_lives_of(const Json& lives, const Json& loads, const std::string& at) {
   expect(lives.size() == loads.size(), at + " is not of as many threads as the loads");
   for (std::size_t k = 0; k < lives.size(); ++k)
@@ -341,7 +342,7 @@ void expect_lives_of(const Json& lives, const Json& loads, const std::string& at
              fmt::format("{}/{} is {} under {} N", at, k, lives[k].dump(), loads[k].dump()));
 }
 
-/// Those of a system stand alone.
+/// Checks the lives of a system, which are single numbers.
 void expect_lives(const Json& lives, const Json& object, const std::string& at) {
   if (lives.is_array())
     expect_lives_of(lives, object.at("equivalent_load_N"), at);
@@ -425,7 +426,7 @@ bool documents(std::string_view input) {
       }
   } catch (const input::InputError& error) {
     expect_told(error);
-  } catch (const modules::Missing&) {  // An algorithm whose library is not there.
+  } catch (const modules::Missing&) {  // The library of the algorithm is missing.
   }
   return false;
 }

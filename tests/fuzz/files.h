@@ -12,7 +12,7 @@
 
 namespace prs::fuzz {
 
-/// Texts, each behind its length; the last one may be cut short.
+/// Texts, each after its length; the last one may be cut short.
 inline std::vector<std::string> pieces(std::string_view input, std::size_t most) {
   std::vector<std::string> found;
   for (Cursor rest(input); found.size() < most && rest.good() && !rest.at_end();) {

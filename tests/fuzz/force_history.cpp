@@ -24,7 +24,7 @@ const std::string kFlownCase = input::kShortAbevi + R"(life:
     position: {column: position_mm, unit: mm}
 )";
 
-/// The document of the case under a history; nothing where that is refused.
+/// The document of the case under a history; none if that is refused.
 std::optional<Json> life_under(const std::string& history) {
   input::Source source = input::source_of_text("case.yaml", kFlownCase, {});
   source.files.emplace().emplace("flight.csv", history);
@@ -61,7 +61,7 @@ bool force_history(std::string_view input) {
   if (life->at("life").contains("cycles"))
     expect(life->at("life").at("cycles").value("count", 0.0) <= 0.5 * samples, "more cycles than two samples give");
 
-  // The last sample once more: no time passes, nothing moves.
+  // Repeats the last sample: no time passes, nothing moves.
   while (history.ends_with('\n') || history.ends_with('\r')) history.pop_back();
   const std::string last = history.substr(history.find_last_of("\r\n") + 1);
   if (history.find('"') != std::string::npos) return true;

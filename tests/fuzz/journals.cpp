@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kWord = 8;
 
-/// What stands in a journal, record by record: a study whose designs these can be.
+/// Checks a journal record by record: its designs must be possible for one study.
 void expect_sound(const Journal& journal) {
   for (const Journal::Record& record : journal.records()) {
     const RowBlock block = journal.block(record);
@@ -38,7 +38,7 @@ void expect_sound(const Journal& journal) {
   }
 }
 
-/// A journal that is continued begins with what was read from it.
+/// Checks that a continued journal begins with the records read from it.
 void expect_continued(const fs::path& path) {
   const Journal read = Journal::read(path);
   if (read.header().key.empty()) return;
@@ -65,7 +65,7 @@ void expect_in_order(const StoredRows& rows, std::size_t designs) {
   expect(next == designs, "designs are missing");
 }
 
-/// As `prs study merge` goes on.
+/// Continues as `prs study merge` does.
 void expect_deliverable(const StoredRows& rows) {
   const JournalHeader& header = rows.journals().front().header();
   if (header.source.text.size() > 2'000) return;
@@ -104,7 +104,7 @@ void set_number(std::string& bytes, std::size_t at, std::uint64_t number) {
   if (at + kWord <= bytes.size()) std::memcpy(bytes.data() + at, &number, kWord);
 }
 
-/// The bytes with right checksums: header and records follow each other after the magic word.
+/// Sets correct checksums: header and records follow the magic word.
 void seal(std::string& bytes) {
   for (std::size_t at = kWord; at + 2 * kWord <= bytes.size();) {
     std::uint64_t length = Cursor(std::string_view(bytes).substr(at)).number();
@@ -115,7 +115,7 @@ void seal(std::string& bytes) {
   }
 }
 
-/// Behind the magic word and the header.
+/// Offset after the magic word and the header.
 std::size_t first_record(std::string_view bytes) {
   if (bytes.size() < 2 * kWord) return 0;
   return kWord + std::min<std::uint64_t>(Cursor(bytes.substr(kWord)).number(), bytes.size());
@@ -145,7 +145,7 @@ bool journals(std::string_view input) {
     expect_deliverable(rows);
     return true;
   } catch (const StudyFolderError&) {
-  } catch (const input::InputError&) {  // Of the study that a header holds.
+  } catch (const input::InputError&) {  // From the study that a header holds.
   }
   return false;
 }
@@ -155,7 +155,8 @@ std::string mutated_journals(std::string_view input, std::size_t most, std::uint
   const auto below = [&](std::size_t count) { return fuzz::below(count, random); };
   std::vector<std::string> files = pieces(input, 3);
   if (files.empty()) return std::string(input);
-  const bool of_records = below(2) == 0;  // Only their words: most journals stay of one study.
+  // Often only words of records change, so that most journals stay of one study.
+  const bool of_records = below(2) == 0;
   for (std::size_t left = 1 + below(3); left > 0; --left) {
     std::string& bytes = files[below(files.size())];
     const std::size_t first = of_records ? first_record(bytes) : 0;

@@ -48,7 +48,7 @@ double sum(const std::vector<double>& loads) {
   return std::accumulate(loads.begin(), loads.end(), 0.0);
 }
 
-/// Whatever the matrices, what converged is an equilibrium of pushing forces.
+/// Checks that, whatever the matrices, a converged result is an equilibrium of pushing forces.
 void expect_equilibrium(const Screw& screw, const LoadDistribution& d) {
   if (!d.solve.converged()) return;
   for (const Interface i : kInterfaces) {
@@ -60,7 +60,7 @@ void expect_equilibrium(const Screw& screw, const LoadDistribution& d) {
   expect(std::isfinite(d.axial_displacement), "no displacement");
 }
 
-/// The sector, then the full mechanism, on what the cache has or may compute. Throws NotKept.
+/// Solves the sector, then the full mechanism, with the matrices in the cache or computed ones. Throws NotKept.
 void solve_both(MatrixCache& cache, std::size_t& solved) {
   static const Screw screw;
   const Case& c = screw.values;
@@ -78,7 +78,7 @@ void solve_both(MatrixCache& cache, std::size_t& solved) {
   solved = 2;
 }
 
-/// Solves with matrices that `next` gives for one key after the other: how many of the two were.
+/// Solves with matrices that `next` gives for one key after the other; returns how many of the two were solved.
 std::size_t solved_from(const std::function<std::optional<std::string>(const std::string& key)>& next) {
   const std::filesystem::path folder = scratch_folder() / "cache";
   std::filesystem::remove_all(folder);
@@ -91,7 +91,7 @@ std::size_t solved_from(const std::function<std::optional<std::string>(const std
       return solved;
     } catch (const NotKept& missing) {
       const std::optional<std::string> matrices = next(missing.key());
-      if (!matrices || missing.key() == last) return solved;  // These were refused.
+      if (!matrices || missing.key() == last) return solved;  // The matrices were refused.
       last = missing.key();
       std::string content;
       put(content, last);
@@ -135,7 +135,7 @@ std::string mutated_cache(std::string_view input, std::size_t most, std::uint32_
   for (std::size_t left = 1 + below(3); left > 0; --left) {
     std::string& content = files[below(files.size())];
     if (content.size() < 8) continue;
-    // One of the numbers: how many matrices, then rows, columns, values of each.
+    // Position of one of the numbers: number of matrices, then rows, columns, values of each.
     const std::size_t at = 8 * below(content.size() / 8);
     double value = 0.0;
     std::memcpy(&value, content.data() + at, 8);

@@ -27,13 +27,13 @@ const auto& any_of(const List& list, Random& random) {
   return list[below(std::size(list), random)];
 }
 
-/// The type that the schema allows; empty where there are several.
+/// Type that the schema allows; empty if there are several.
 std::string type_of(const Json& schema) {
   const auto type = schema.find("type");
   return type != schema.end() && type->is_string() ? type->get<std::string>() : "";
 }
 
-/// Near the number, now and then far from it.
+/// A number near the given one, occasionally far from it.
 double moved(double x, Random& random) {
   const double u = static_cast<double>(below(2001, random)) / 1000.0 - 1.0;  // -1 .. 1
   if (random.gentle) return x * (1.0 + (one_in(2, random) ? 0.02 : 0.3) * u);
@@ -90,7 +90,7 @@ Json random_number(const Json& schema, Random& random) {
   return x;
 }
 
-/// Paths that a study may vary or ask for.
+/// Paths of factors and responses of studies.
 constexpr const char* kPaths[] = {"mechanism.lead",
                                   "mechanism.rollers",
                                   "mechanism.flank_angle",
@@ -181,7 +181,7 @@ bool is_of_type(const Json& value, const Json& schema) {
          (type == "number" && value.is_number());
 }
 
-/// A value as JSON: numbers as they are, words in quotes.
+/// A value as JSON: numbers unchanged, words in quotes.
 Json json_of(const input::Node& node) {
   if (node.kind == input::Node::Kind::null) return nullptr;
   if (node.kind == input::Node::Kind::scalar) switch (scalar_type(node)) {
@@ -297,7 +297,7 @@ std::string mutated_overrides(std::string_view input, std::size_t most, std::uin
   if (random.gentle) lines.resize(below(std::min<std::size_t>(lines.size(), 3) + 1, random));
   if (!lines.empty() && one_in(3, random))
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(below(lines.size(), random)));
-  // Down the schema to some value.
+  // Descends the schema to some value.
   const Json* schema = &case_schema();
   std::string path;
   while (schema->contains("properties") && !schema->at("properties").empty() && (path.empty() || !one_in(5, random))) {

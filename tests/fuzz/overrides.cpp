@@ -64,7 +64,7 @@ bool overrides(std::string_view input) {
   const std::optional<Json> set = resolved(source);
   if (!set) return false;
 
-  // Written into the file they are the same case, and so is what the program states as its input.
+  // Written into the file they must give the same case, and so must the stated input of the program.
   const std::optional<Json> again = resolved(input::source_of_text("case.yaml", set->dump(), {}));
   expect(again == set, "the echo of the echo is another one");
   if (const std::optional<std::string> text = input::written_case(source)) {
@@ -77,7 +77,7 @@ bool overrides(std::string_view input) {
     const Delivery delivery = run(analysis_of(Command::check), source);
     expect_finite(delivery.document(document_info(source, Command::check)), "check");
     delivery.table();
-  } catch (const input::InputError&) {  // What the values contradict.
+  } catch (const input::InputError&) {  // Contradiction between values.
   }
   return true;
 }

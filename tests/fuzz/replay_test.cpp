@@ -37,9 +37,8 @@ TEST_P(FuzzCorpus, HoldsNoFinding) {
 
 class FuzzMutations : public testing::TestWithParam<Target> {};
 
-/// Mutations of what is taken of the corpus, as a fuzzer makes them, without its coverage. Most
-/// differ from what they were made of, and not all are refused: else the mutator, or what follows
-/// it, is not tested.
+/// Mutations of part of the corpus, as a fuzzer makes them, without its coverage. Most must differ from their source,
+/// and not all may be refused: otherwise the mutator, or the code after it, would not be tested.
 TEST_P(FuzzMutations, AreNoFinding) {
   const auto runs = static_cast<std::size_t>(test::samples(40, 2000));
   std::vector<std::string> inputs;
@@ -57,7 +56,7 @@ TEST_P(FuzzMutations, AreNoFinding) {
   EXPECT_GE(8 * taken, runs);
 }
 
-/// Targets with mutators of their own; bytes of the others are libFuzzer's to mutate.
+/// Targets with mutators of their own; bytes of the others are left to libFuzzer.
 std::vector<Target> mutated_targets() {
   std::vector<Target> targets;
   std::ranges::copy_if(kTargets, std::back_inserter(targets),

@@ -4,7 +4,7 @@
 
 namespace test {
 
-/// Meshes for tests of what does not depend on them.
+/// Meshes for tests of properties that do not depend on them.
 inline prs::FlexibilityOptions coarse_bodies() {
   prs::FlexibilityOptions options;
   options.mesh.patch_cells = 2;

@@ -7,12 +7,12 @@
 
 namespace test {
 
-/// How many random samples a test takes: a fixed-seed subset in the quick run, all of them where
-/// the environment asks for the thorough one (`ctest -L thorough` sets PRS_THOROUGH).
+/// Number of random samples of a test: a fixed-seed subset in the quick run, all of them if the environment requests
+/// the thorough one (`ctest -L thorough` sets PRS_THOROUGH).
 inline bool thorough() { return std::getenv("PRS_THOROUGH") != nullptr; }
 inline int count(int quick, int all) { return thorough() ? all : quick; }
 
-/// The same of samples that go through the same functions: sanitizers see a fifth.
+/// Number of samples that go through the same functions: sanitizers get a fifth.
 inline int samples(int quick, int all) { return count(sanitized() ? std::max(1, quick / 5) : quick, all); }
 
 }  // namespace test

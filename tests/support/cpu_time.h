@@ -4,8 +4,8 @@
 
 namespace test {
 
-/// Processor time that a call takes on this thread [s]: what else runs on the machine hardly
-/// matters. To be compared with that of other work in the same run, never with a number.
+/// Processor time of a call on this thread [s]: other work on the machine hardly matters. Compare it with other work in
+/// the same run, never with a number.
 template <class Call>
 double cpu_seconds(Call call) {
   const auto now = [] {

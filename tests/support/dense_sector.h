@@ -10,10 +10,10 @@
 
 namespace test {
 
-/// The sector written a second time, straight from the formulas and with full matrices, sharing
-/// no line with `fe/` or the builder: displacement-based Newton on [screw u | nut u | roller u, v,
-/// theta] with supports by elimination of rows and columns. Extended precision, since nothing here
-/// keeps the differences of displacements apart from their sums.
+/// Independent implementation of the sector, straight from the formulas and with full matrices, sharing no line with
+/// `fe/` or the builder: displacement-based Newton on [screw u | nut u | roller u, v, theta] with supports by
+/// elimination of rows and columns. Extended precision, since nothing here separates the differences of displacements
+/// from their sums.
 struct DenseSector {
   using Real = long double;
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;

@@ -13,7 +13,7 @@
 namespace test {
 namespace {
 
-/// The value of an attribute in a tag; empty where there is none.
+/// Value of an attribute in a tag; empty if there is none.
 std::string attribute(const std::string& tag, const std::string& name) {
   const std::size_t at = tag.find(" " + name + "=\"");
   if (at == std::string::npos) return {};
@@ -29,7 +29,7 @@ std::string unescaped(std::string text) {
   return text;
 }
 
-/// The first tag that is not closed where it must be; empty where all is well.
+/// First tag that is not closed as required; empty if there is none.
 std::string malformed(const std::string& svg) {
   std::vector<std::string> open;
   for (std::size_t at = svg.find("<svg"); (at = svg.find('<', at)) != std::string::npos; ++at) {
@@ -47,9 +47,9 @@ std::string malformed(const std::string& svg) {
   return open.empty() ? "" : open.back();
 }
 
-/// Whether an edge of the first separates it from the second.
+/// Whether an edge of the first text separates it from the second.
 bool is_apart(const DrawnText& a, const DrawnText& b) {
-  constexpr double kTouch = 1.0;  // Pixels that letters do not reach.
+  constexpr double kTouch = 1.0;  // Margin in pixels that letters do not reach.
   for (int k = 0; k < 2; ++k) {
     const double x = a.corners[k + 1][0] - a.corners[k][0];
     const double y = a.corners[k + 1][1] - a.corners[k][1];

@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// A text of a picture: where its corners lie, pixels from the upper left.
+/// A text of a picture, by its corners, in pixels from the upper left.
 struct DrawnText {
   std::string content;
   double corners[4][2];
@@ -15,8 +15,7 @@ struct DrawnText {
 
 std::vector<DrawnText> drawn_texts(const std::string& svg);
 
-/// Fails where the picture is no well-formed file, where one of its texts covers another or where
-/// one leaves the picture.
+/// Fails if the picture is not a well-formed file, if one of its texts covers another or if one leaves the picture.
 void expect_drawn(const std::string& svg);
 void expect_drawn(const prs::Figure& figure);
 void expect_drawn(const std::vector<prs::Figure>& figures);

@@ -12,7 +12,7 @@
 
 namespace test {
 
-/// Waits for changes below folders; asks the clock only to give up on a process that does nothing.
+/// Waits for changes below folders; uses the clock only to give up on an idle process.
 class FolderWatch {
  public:
   FolderWatch() : changes_(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
@@ -22,13 +22,12 @@ class FolderWatch {
   FolderWatch(const FolderWatch&) = delete;
   FolderWatch& operator=(const FolderWatch&) = delete;
 
-  /// Changes in this folder from now on count; nothing where there is no such folder.
+  /// Watches this folder from now on, if it exists.
   void add(const std::filesystem::path& folder) const {
     ::inotify_add_watch(changes_, folder.c_str(), IN_CREATE | IN_MODIFY | IN_MOVED_TO | IN_DELETE | IN_ONLYDIR);
   }
 
-  /// Waits until something has changed, or until the other file has something to tell; false where
-  /// neither happens for a minute.
+  /// Waits until something has changed, or until the other file is readable; false if neither happens for a minute.
   bool wait(int other = -1) const {
     std::array<pollfd, 2> files{{{changes_, POLLIN, 0}, {other, POLLIN, 0}}};
     int ready = 0;
@@ -46,7 +45,7 @@ class FolderWatch {
 
 /// Bytes of all files directly in a folder.
 inline std::uintmax_t bytes_in(const std::filesystem::path& folder) {
-  std::error_code gone;  // Files come and go meanwhile.
+  std::error_code gone;  // Files appear and disappear meanwhile.
   std::uintmax_t bytes = 0;
   for (std::filesystem::directory_iterator entry(folder, gone), end; !gone && entry != end; entry.increment(gone)) {
     std::error_code none;
@@ -55,11 +54,11 @@ inline std::uintmax_t bytes_in(const std::filesystem::path& folder) {
   return bytes;
 }
 
-/// Waits until a file has so many bytes; false where nothing happens in its folder for a minute.
+/// Waits until a file has this many bytes; false if nothing happens in its folder for a minute.
 inline bool wait_for_size(const std::filesystem::path& file, std::uintmax_t bytes) {
   const FolderWatch watch;
   do {
-    watch.add(file.parent_path().parent_path());  // Where the folder is made.
+    watch.add(file.parent_path().parent_path());  // Folder in which that folder is made.
     watch.add(file.parent_path());
     std::error_code none;
     const std::uintmax_t size = std::filesystem::file_size(file, none);

@@ -23,12 +23,12 @@ inline double largest_difference(const prs::RollerThreads& a, const prs::RollerT
   return value;
 }
 
-/// By `angle` about x.
+/// Vector turned by `angle` about x.
 inline prs::Lateral turned(prs::Lateral l, double angle) {
   return {l.y * std::cos(angle) - l.z * std::sin(angle), l.y * std::sin(angle) + l.z * std::cos(angle)};
 }
 
-/// The sector is what one of all rollers has, where these are alike.
+/// Checks that the sector equals one of all rollers, if these are equal.
 inline void expect_the_sector(const prs::FullModel& f) {
   const prs::FullDistribution full = prs::solve(f);
   ASSERT_TRUE(full.solve.converged());

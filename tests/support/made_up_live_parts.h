@@ -8,8 +8,8 @@
 
 namespace test {
 
-/// Writes what `scripts/web.sh` builds, made up: an engine of the usual size that computes nothing, and scripts
-/// that are their names. Pages take it if `id` is that of the program.
+/// Writes artificial output of `scripts/web.sh`: an engine of the usual size that computes nothing, and scripts that
+/// are their names. Pages accept it if `id` is that of the program.
 inline void write_live_parts(const std::filesystem::path& folder, const std::string& id = prs::source_id()) {
   std::filesystem::create_directories(folder);
   for (const char* name : {"worker.js", "start.js", "report.js.gz", "report.hash", "mechanism.js.gz", "mechanism.hash",

@@ -18,7 +18,7 @@ inline std::vector<std::vector<std::string>> parse_fields(const std::string& csv
   bool quoted = false;
   for (const char c : csv) {
     if (c == '"') {
-      // The second of two quotes inside a quoted field reopens it and stands for itself.
+      // The second of two quotes inside a quoted field reopens it and is a quote.
       if (!quoted && !row.back().empty()) row.back() += c;
       quoted = !quoted;
     } else if (c == separator && !quoted) {
@@ -32,7 +32,7 @@ inline std::vector<std::vector<std::string>> parse_fields(const std::string& csv
   return rows;
 }
 
-/// The rows by the names in the header; every row has as many fields.
+/// Rows by the names in the header; every row has as many fields.
 inline std::vector<CsvRow> parse(const std::string& csv) {
   const auto fields = parse_fields(csv);
   std::vector<CsvRow> rows;

@@ -3,10 +3,9 @@
 #include <array>
 #include <cmath>
 
-/// Hertz constants of two threads, written a second time and plainly: extended precision, no header
-/// of the program, another way through the geometry. Flanks are heights z(x, y) over the plane
-/// across the axes; where their clearance is least they touch, and its second derivatives there are
-/// the relative curvatures. SI throughout.
+/// Hertz constants of two threads, in an independent and simple implementation: extended precision, no header of the
+/// program, another way through the geometry. Flanks are heights z(x, y) over the plane across the axes; they touch at
+/// their smallest clearance, where its second derivatives are the relative curvatures. SI units.
 namespace plain {
 
 using Number = long double;
@@ -16,7 +15,7 @@ using Pair = std::array<Number, 2>;
 struct Flank {
   Number pitch_radius = 0;
   Number lead = 0;            ///< > 0 right-handed.
-  Number flank_angle = 0;     ///< Against the plane across the axis.
+  Number flank_angle = 0;     ///< Angle against the plane across the axis.
   Number profile_radius = 0;  ///< Radius of the convex arc; 0: straight.
   Number axis = 0;            ///< x of the part's axis.
 };
@@ -26,9 +25,9 @@ struct Slopes {
   Number x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 };
 
-/// Of f(r) + hand lead chi/(2 pi) about the part's axis. In the normal plane the flank's tangent
-/// leaves the radius by phi, sin(phi) = sin(alpha) + (r - r_T)/r_B; along the axis it is longer by
-/// 1/cos(beta), tan(beta) = lead/(2 pi r_T).
+/// Slopes of f(r) + hand lead chi/(2 pi) about the part's axis. In the normal plane the flank's tangent leaves the
+/// radius by phi, sin(phi) = sin(alpha) + (r - r_T)/r_B; along the axis it is longer by 1/cos(beta), tan(beta) =
+/// lead/(2 pi r_T).
 inline Slopes slopes(const Flank& f, Number hand, Number x, Number y) {
   const Number dx = x - f.axis, r = std::hypot(dx, y), c = dx / r, s = y / r;
   const Number turn = f.lead / (2 * std::acos(Number(-1)));
@@ -48,14 +47,13 @@ inline Slopes slopes(const Flank& f, Number hand, Number x, Number y) {
   return z;
 }
 
-/// Where two flanks touch: relative principal curvatures, the smaller one first, and the angle
-/// between normal and axis.
+/// Contact of two flanks: relative principal curvatures, the smaller one first, and the angle between normal and axis.
 struct Touch {
   Number smaller = 0, larger = 0, normal_angle = 0;
 };
 
-/// `outward`: the body is a screw, whose flank rises away from its axis towards the roller's; else
-/// a nut around the roller. Newton's method from the pitch point.
+/// `outward`: whether the body is a screw, whose flank rises away from its axis towards the roller's; else a nut around
+/// the roller. Newton's method from the pitch point.
 inline Touch touch(const Flank& body, const Flank& roller, bool outward) {
   // Screw: the body's lower flank on the roller's upper one. Nut: the roller's lower flank on the
   // body's upper one, which is the lower one of the air.
@@ -123,8 +121,8 @@ inline Touch abevi_touch(bool screw) {
   return touch({screw ? 10.5e-3L : 17.5e-3L, 5e-3L, alpha, 0, 0}, roller, screw);
 }
 
-/// k_0 of them with E = 209 GPa and nu = 0.3 [N/m^1.5]: the 318,655 and 361,611 N/mm^1.5 beside
-/// table 2 in validation/abevi_2015; the normal angles are 45.1636 and 45.0592 deg.
+/// k_0 of these contacts with E = 209 GPa and nu = 0.3 [N/m^1.5]: the 318,655 and 361,611 N/mm^1.5 beside table 2 in
+/// validation/abevi_2015; the normal angles are 45.1636 and 45.0592 deg.
 inline Number abevi_hertz_constant(bool screw) {
   return hertz_constant(abevi_touch(screw), 209e9L / (2 * (1 - 0.3L * 0.3L)));
 }

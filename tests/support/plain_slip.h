@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-/// Sandu 2018, chapters 2 and 3, written a second time and plainly: one number after the other,
-/// extended precision, no header of the program. Equation numbers are those of the thesis, read
-/// with the errata: factor 2 in (2.30), |u| = sqrt(u.u - (u.n)^2) in (2.36), static loads in
-/// (2.38), cell-centred points for (3.7), gear arms at the operating pitch radii in (3.30), (3.31),
-/// (3.38), axial equilibrium (3.11), (3.12) thread by thread and all other sums over the threads.
+/// Sandu 2018, chapters 2 and 3, in an independent and simple implementation: one number after the other, extended
+/// precision, no header of the program. Equation numbers are those of the thesis, read with the errata: factor 2 in
+/// (2.30), |u| = sqrt(u.u - (u.n)^2) in (2.36), static loads in (2.38), cell-centred points for (3.7), gear arms at the
+/// operating pitch radii in (3.30), (3.31), (3.38), axial equilibrium (3.11), (3.12) thread by thread and all other
+/// sums over the threads.
 ///
-/// Frame: carrier, z the axis of screw and nut, x from it to the roller's axis. SI throughout.
+/// Frame: carrier, z the axis of screw and nut, x from it to the roller's axis. SI units.
 namespace plain {
 
 using Real = long double;
@@ -69,16 +69,16 @@ struct Case {
   Interface screw{};                  ///< I.
   Interface nut{};                    ///< J.
   Lubricant lubricant{};              ///< For Jacod's law.
-  std::optional<Real> boundary{};     ///< Friction of touching flanks: mixed.
+  std::optional<Real> boundary{};     ///< Friction coefficient of touching flanks: mixed.
   Real exponent = 2;                  ///< Exponent of the share of touching flanks.
   Real carrier_roller_torque = 0;     ///< |C_P/R| of one roller [N m].
   Real carrier_screw_torque = 0;      ///< |C_P/S| [N m].
   Real carrier_nut_torque = 0;        ///< |C_P/N| [N m].
   Real gear_pressure_angle = pi / 9;  ///< alpha_g [rad].
   Real roller_mass = 0;               ///< m_R [kg].
-  bool film_along_rolling = false;    ///< Central film of the true direction of rolling.
+  bool film_along_rolling = false;    ///< Whether to use the central film of the true direction of rolling.
   int patch_points = 21;              ///< N_1 = N_2.
-  std::optional<Real> slip_ratio{};   ///< Imposed, instead of the root of (3.43).
+  std::optional<Real> slip_ratio{};   ///< Imposed value, instead of the root of (3.43).
 };
 
 /// Velocities at one contact, body (screw or nut) against roller.
@@ -115,7 +115,7 @@ inline Real ideal_slip_ratio(const Case& c) {
   return (1 + g - (2 + g) * q * cosine + q * q) / ((1 + g) * (1 + g - 2 * q * cosine) + q * q);
 }
 
-/// The same by golden section on |v_M|, to about 1e-9.
+/// Ideal slip ratio by golden section on |v_M|, to about 1e-9.
 inline Real ideal_slip_ratio_by_search(const Case& c) {
   const auto speed = [&](Real slip) {
     const Vec v = motion(c, c.standard, slip).sliding;
@@ -131,7 +131,7 @@ inline Real ideal_slip_ratio_by_search(const Case& c) {
   return (low + high) / 2;
 }
 
-/// v_M . n of (2.12): nil where the gear ratio obeys (2.14).
+/// v_M . n of (2.12): zero if the gear ratio obeys (2.14).
 inline Real penetration_speed(const Case& c, bool screw, Real slip) {
   return dot(motion(c, screw, slip).sliding, screw ? c.screw.normal : c.nut.normal);
 }
@@ -139,7 +139,7 @@ inline Real penetration_speed(const Case& c, bool screw, Real slip) {
 struct Film {
   Real number = 0;     ///< H_c (2.37).
   Real thickness = 0;  ///< h_c (2.39) [m].
-  Real central = 0;    ///< By the full fit [m].
+  Real central = 0;    ///< Film by the full fit [m].
 };
 
 /// H of Nijenbanning, Venner and Moes (Wear 176, 1994), as they print it; long double has the range
@@ -200,18 +200,18 @@ inline Real jacod(const Interface& m, const Lubricant& l, Real pressure, Real sl
   return l.eyring_stress / pressure * std::asinh(viscosity * slide / (5 * film_number));
 }
 
-/// What one thread does to the roller.
+/// Effect of one thread on the roller.
 struct ThreadFriction {
   Vec direction{};                ///< m_M (3.8): the body pushes the roller with -N_M m_M.
   Real normal_load = 0;           ///< N_M (3.11), (3.12) [N].
   Real spin_torque = 0;           ///< C_M (3.10) [N m].
   Real power = 0;                 ///< Loss, -W_M of (3.51) [W].
   Real friction_coefficient = 0;  ///< mu_a (2.40).
-  Real max_sliding_speed = 0;     ///< Over the points inside [m/s].
+  Real max_sliding_speed = 0;     ///< Largest value over the points inside [m/s].
   Real film_thickness = 0;        ///< h_c [m], with a lubricant.
-  Real central_film = 0;          ///< By the full fit [m].
+  Real central_film = 0;          ///< Film by the full fit [m].
   Real boundary_share = 0;        ///< Given with a roughness.
-  int points = 0;                 ///< Inside the ellipse.
+  int points = 0;                 ///< Number of points inside the ellipse.
 };
 
 inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread& t) {
@@ -269,7 +269,7 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
   return out;
 }
 
-/// Everything at one slip ratio; signs of forces and torques are those of the thesis.
+/// All results at one slip ratio; signs of forces and torques are those of the thesis.
 struct State {
   Real slip_ratio = 0;
   Real ideal_slip_ratio = 0;
@@ -292,13 +292,13 @@ struct State {
   Real carrier_force_x = 0, carrier_force_y = 0;  ///< F_R/P (3.32), (3.26) [N].
   Real centrifugal_force = 0;                     ///< (3.33) [N].
   Real residue = 0;                               ///< Left side of (3.38) [N m].
-  Real residue_contact = 0;                       ///< Its part by m_I, m_J [N m].
+  Real residue_contact = 0;                       ///< Part of it from m_I, m_J [N m].
   Real residue_spin = 0;                          ///< By C_I, C_J [N m].
   Real residue_carrier = 0;                       ///< By C_P/R [N m].
   Real residue_gear = 0;                          ///< By F_E/R [N m].
-  // Of the bisection only:
+  // Results of the bisection only:
   Real residue_low = 0, residue_high = 0;  ///< Close to the two ends of (3.44) [N m].
-  bool bracketed = false;                  ///< These two differ in sign.
+  bool bracketed = false;                  ///< Whether these two differ in sign.
 };
 
 inline State state(const Case& c, Real slip) {
@@ -348,7 +348,7 @@ inline State state(const Case& c, Real slip) {
   s.carrier_force_y = (c.rollers * c_pr + c_pn + c_ps) / (c.centre_distance * c.rollers);
   s.gear_force_y = s.carrier_force_y - s.contact_force[1];
   s.gear_force_x = (1 - 2 * chi) * std::abs(s.gear_force_y) * std::tan(c.gear_pressure_angle);
-  // The carrier against the part that does not turn: the nut, of an inverted mechanism the screw.
+  // Speed of the carrier against the part that does not turn: the nut, or the screw of an inverted mechanism.
   const Real orbit = c.standard ? slip * c.speed : slip * c.speed - c.speed;
   s.centrifugal_force = c.roller_mass * c.centre_distance * orbit * orbit;
   s.carrier_force_x = s.gear_force_x + s.contact_force[0] + s.centrifugal_force;
@@ -379,15 +379,15 @@ inline State state(const Case& c, Real slip) {
   return s;
 }
 
-/// The interval (3.44), or, where a driven carrier passes the ideal slip ratio, the rest of 0 to 1.
+/// The interval (3.44), or, if a driven carrier passes the ideal slip ratio, the rest of 0 to 1.
 inline std::pair<Real, Real> bracket(const Case& c) {
   const Real ideal = ideal_slip_ratio(c);
   const bool lags = c.speed * state(c, ideal).residue > 0;
   return c.standard == lags ? std::pair<Real, Real>{0, ideal} : std::pair<Real, Real>{ideal, 1};
 }
 
-/// Stationary slip by (3.45), literally, to 1e-17; an imposed slip ratio is taken as it is. Nothing
-/// that brakes leaves the slip ratio open: then the ideal one.
+/// Stationary slip by (3.45), literally, to 1e-17; an imposed slip ratio is used unchanged. Without braking the slip
+/// ratio is undetermined: then the ideal one.
 inline State solve(const Case& c) {
   if (c.slip_ratio) return state(c, *c.slip_ratio);
   const bool no_friction = c.screw.coulomb == Real(0) && c.nut.coulomb == Real(0);

@@ -19,7 +19,7 @@
 
 namespace test {
 
-/// Another program and what it started, silent.
+/// Another program and its children, without output.
 class Process {
  public:
   explicit Process(std::vector<std::string> words) {
@@ -43,15 +43,15 @@ class Process {
 
   void kill() const {
     ::kill(-id_, SIGKILL);
-    ::kill(id_, SIGKILL);  // Before it has its own group.
+    ::kill(id_, SIGKILL);  // Also before it has its own group.
   }
 
-  /// A file that can be read once the program has ended; the caller closes it.
+  /// A file that is readable after the program has ended; the caller closes it.
   int end() const { return static_cast<int>(::syscall(SYS_pidfd_open, id_, 0)); }
 
   void signal(int number) const { ::kill(id_, number); }
 
-  /// Exit status; below 0 the signal that killed it. `use`: what it took.
+  /// Exit status; below 0 the signal that killed it. `use`: its resource usage.
   int wait(rusage* use = nullptr) {
     int status = 0;
     ::wait4(id_, &status, 0, use);

@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// The file of `prs`. A build folder's name stands in no other object than that of this function.
+/// Path of `prs`. No other object than that of this function contains the name of a build folder.
 const char* program();
 
 /// Environment of a command, for a shell, that loads a library of the tests before all others. LD_PRELOAD ends a name
@@ -19,7 +19,7 @@ inline std::string preloaded(const std::filesystem::path& library) {
   return "LD_LIBRARY_PATH='" + library.parent_path().string() + "' LD_PRELOAD='" + library.filename().string() + "' ";
 }
 
-/// How a run of the program ended and what it wrote.
+/// Exit status and output of a run of the program.
 struct Outcome {
   int status = -1;
   std::string out, err;

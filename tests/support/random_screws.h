@@ -15,9 +15,9 @@
 
 namespace test {
 
-/// A screw and the inputs that a study varies about it, as a case file states them. SI units.
+/// A screw and the inputs that a study varies about it, as in a case file. SI units.
 struct Screw {
-  /// An input that is drawn: its path, unit and interval.
+  /// A drawn input: its path, unit and interval.
   struct Drawn {
     std::string path;
     std::string unit;
@@ -32,7 +32,7 @@ struct Screw {
   double pitch = 0.0;
   double flank_angle = 0.0;  ///< [rad]
   contact::PitchRadii radius;
-  bool designed = false;  ///< By its backlash, else by its radii.
+  bool designed = false;  ///< Whether it is given by its backlash, else by its radii.
   double profile_radius = 0.0;
   int rollers = 1;
   int threads = 1;
@@ -44,13 +44,13 @@ struct Screw {
   double thrust_tension = 0.0, thrust_compression = 0.0;
   double position = 0.0;
   double screw_modulus = 0.0, roller_modulus = 0.0, nut_modulus = 0.0;
-  bool overridden = false;  ///< Constants and angles of the contacts are given.
+  bool overridden = false;  ///< Whether constants and angles of the contacts are given.
   double screw_constant = 0.0, nut_constant = 0.0;
   double screw_angle = 0.0, nut_angle = 0.0;
   std::string deviations;
   std::string model;  ///< Entries of `model`, on one line.
   double force = 0.0;
-  bool exchanged = false;  ///< Compression first, then tension.
+  bool exchanged = false;  ///< Whether compression comes first, then tension.
   std::string more;        ///< Blocks for slip.
   std::vector<Drawn> drawn;
 
@@ -127,14 +127,14 @@ struct Screw {
   }
 };
 
-/// The same screw of the other hand.
+/// Mirror image of the screw, of the other hand.
 inline Screw left_handed(Screw s) {
   s.hand = -s.hand;
   return s;
 }
 
-/// The same screw with screw and nut exchanged, of bars whose contacts are given and whose nut is
-/// held before its first contact: in the frame of the other body, what pulls one pushes the other.
+/// Copy with screw and nut exchanged, for bars whose contacts are given and whose nut is held before its first contact:
+/// in the frame of the other body, a pull on one is a push on the other.
 inline Screw swapped(Screw s) {
   const double screw = s.screw_modulus * s.screw_area(), nut = s.nut_modulus * s.nut_area();
   const double held = s.position - s.thrust_tension;
@@ -162,8 +162,8 @@ inline Screw swapped(Screw s) {
   return s;
 }
 
-/// Screws from 6 to 150 mm as makers build them: both types, all the guides, the rollers at either
-/// end and in the middle of the nut, loads from what leaves threads open to what stamps them.
+/// Screws from 6 to 150 mm as makers build them: both types, all the guides, the rollers at either end and in the
+/// middle of the nut, loads from those that leave threads open to those that indent them.
 class RandomScrews {
  public:
   explicit RandomScrews(std::uint64_t seed) : random_(seed) {}
@@ -209,7 +209,7 @@ class RandomScrews {
     const double places[] = {0.05 * room, 0.5 * room, 0.95 * room};
 
     for (double* modulus : {&s.screw_modulus, &s.roller_modulus, &s.nut_modulus}) *modulus = uniform(195e9, 215e9);
-    // Hertz, of a ball of the profile's radius on a plane.
+    // Hertz contact of a ball of the profile's radius on a plane.
     const double least = load_at(0.1e9, s), most_load = load_at(4e9, s);
     s.force = std::sqrt(least * most_load);
 

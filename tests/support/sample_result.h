@@ -66,7 +66,7 @@ inline LoadCaseResult failed_case(std::string name) {
   return result;
 }
 
-/// A case with equal shares and without ellipses, where nothing was solved.
+/// A case with equal shares and without ellipses, which was not solved.
 inline LoadCaseResult equal_share_case(std::string name) {
   LoadCaseResult result;
   result.load_case.name = std::move(name);

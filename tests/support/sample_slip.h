@@ -35,7 +35,7 @@ inline InterfaceSlip sample_threads(const InterfaceLoads& loads, double friction
   return slip;
 }
 
-/// The answer to a case whose loads are known.
+/// Slip of a case whose loads are known.
 inline SlipResult sample_slip(const LoadCaseResult& result) {
   SlipResult slip;
   slip.status = SlipStatus::converged;
@@ -77,7 +77,7 @@ inline LoadCaseResult with_slip(LoadCaseResult result) {
   return result;
 }
 
-/// A case whose loads are known but whose slip is not.
+/// A case whose loads are known, without slip.
 inline LoadCaseResult without_equilibrium(LoadCaseResult result) {
   result.slip = SlipResult{};
   result.slip->status = SlipStatus::no_equilibrium;

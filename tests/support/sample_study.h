@@ -33,8 +33,7 @@ inline Factor drawn(std::string path, double from, double to) {
   return factor;
 }
 
-/// The responses to the values of all factors, words counting 0, 1, ..; none: the design is
-/// refused.
+/// The responses for the values of all factors, words counting 0, 1, ..; none: the design is refused.
 using Answer = std::function<std::vector<double>(const std::vector<double>&)>;
 
 /// A study of a formula in place of a solver.
@@ -68,7 +67,7 @@ inline StudyResult run(const Study& study, const Answer& answer) {
   return result;
 }
 
-/// y = 10 x and z = x of x = 1, 3, 4 beside 2 in the file; 3 is refused.
+/// y = 10 x and z = x for x = 1, 3, 4 besides 2 in the file; 3 is refused.
 inline StudyResult counting() {
   Study study;
   study.command = Command::solve;
@@ -79,8 +78,8 @@ inline StudyResult counting() {
   });
 }
 
-/// Two pressures over three factors, the third of which does nothing: 5 + 3 x_a - x_b, and x_a x_b
-/// of the normalised factors.
+/// Two pressures over three factors, the third of which has no effect: 5 + 3 x_a - x_b, and x_a x_b of the normalised
+/// factors.
 inline StudyResult sampled(Plan plan, std::size_t samples = 500) {
   Study study;
   study.command = Command::contact;

@@ -9,6 +9,6 @@ inline bool sanitized() { return __asan_init != nullptr; }
 
 }  // namespace test
 
-/// For a test of numbers that takes long under sanitizers, and whose functions others call there.
+/// Skips a test of numbers that takes long under sanitizers, if other tests call its functions there.
 #define SKIP_UNDER_SANITIZERS() \
   if (::test::sanitized()) GTEST_SKIP() << "numbers, which the release build tests"

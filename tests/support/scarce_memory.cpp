@@ -1,5 +1,4 @@
-// Loaded into the program before the C library: no memory of more than PRS_LARGEST_ALLOCATION bytes
-// at once.
+// Loaded into the program before the C library: limits memory allocated at once to PRS_LARGEST_ALLOCATION bytes.
 
 #include <cerrno>
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// Everything that `sector_model` needs, as one value.
+/// All arguments of `sector_model` as one value.
 struct SectorCase {
   prs::Mechanism mechanism;
   prs::Structure structure;
@@ -46,7 +46,7 @@ inline SectorCase abevi() {
   return c;
 }
 
-/// The same with six contacts a roller in the middle of a short nut.
+/// Short version with six contacts per roller in the middle of a short nut.
 inline SectorCase short_screw() {
   SectorCase c = abevi();
   c.mechanism.contacts_per_roller = 6;
@@ -110,14 +110,13 @@ inline SectorCase random_sector(std::mt19937_64& random) {
 /// Axial force over four decades, up to a mean thread load that is heavy for the thread's size [N].
 inline double random_force(const SectorCase& c, std::mt19937_64& random) {
   const double size = *c.mechanism.pitch_diameter.roller;
-  const double heavy = 5e6 * size * size;  // about 250 N a thread on a 7 mm roller
+  const double heavy = 5e6 * size * size;  // about 250 N per thread on a 7 mm roller
   const double share = std::exp(std::uniform_real_distribution<double>(std::log(1e-4), 0.0)(random));
   return share * heavy * c.mechanism.rollers * c.mechanism.contacts_per_roller;
 }
 
-/// A random sector of extreme ratios, as far as the checks of a case let them pass: moduli and
-/// Hertz constants over nine decades, rings from 1e-3 to 1e15 N/m, thin walls, slender and stout
-/// ends, free lengths from 0 and 1e-12 mm up, 2 to 60 threads.
+/// A random sector of extreme ratios, within the checks of a case: moduli and Hertz constants over nine decades, rings
+/// from 1e-3 to 1e15 N/m, thin walls, slender and stout ends, free lengths from 0 and 1e-12 mm up, 2 to 60 threads.
 inline SectorCase extreme_sector(std::mt19937_64& random) {
   using prs::Direction, prs::Guidance, prs::ModelOptions;
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };

@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// The picture of that name; absent where the result has no data for it.
+/// Picture with that name; absent if the result has no data for it.
 inline std::optional<prs::Figure> shown(const prs::Pictures& pictures, const std::string& name,
                                         const prs::FigureOptions& options = {}) try {
   return prs::figure(pictures, name, options);

@@ -61,7 +61,7 @@ inline prs::Case inverted(prs::Case c) {
   return c;
 }
 
-/// Where the screw drove, now the load does.
+/// The case with the load driving in place of the screw.
 inline prs::Case turned_back(prs::Case c) {
   c.operation->speed = -c.operation->speed;
   return c;
@@ -72,8 +72,8 @@ inline prs::Case left_handed(prs::Case c) {
   return c;
 }
 
-/// Around the reference: type, hand, sense, size, materials, load, speed, lubricant, torques and
-/// patch differ; some impose the slip ratio.
+/// Cases around the reference: type, hand, sense, size, materials, load, speed, lubricant, torques and patch differ;
+/// some impose the slip ratio.
 inline prs::Case random_slip(std::mt19937_64& random) {
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   const auto log_uniform = [&](double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); };
@@ -92,7 +92,7 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   const double roller_radius = 0.5 * *m.pitch_diameter.screw / (standard ? m.starts.screw - 2 : m.starts.screw);
   m.profile.roller.radius = roller_radius / std::sin(flank) * uniform(0.7, 1.3);
   m.backlash = {uniform(-0.02, 0.05) * pitch, uniform(-0.02, 0.05) * pitch};
-  m.rollers = whole(1, standard && m.starts.screw == 3 ? 5 : 6);  // As thick as the screw.
+  m.rollers = whole(1, standard && m.starts.screw == 3 ? 5 : 6);  // Roller as thick as the screw.
   m.contacts_per_roller = whole(2, 9);
   c.lubricant->viscosity = log_uniform(5e-3, 1.0);
   c.lubricant->pressure_viscosity = uniform(10e-9, 40e-9);
@@ -101,7 +101,7 @@ inline prs::Case random_slip(std::mt19937_64& random) {
       m.rollers * m.contacts_per_roller * log_uniform(20.0, 400.0) * std::pow(*m.pitch_diameter.screw / 30e-3, 2.0);
   c.operation->speed = log_uniform(0.5, 300.0);
   if (whole(0, 2) == 0) {
-    // Of the torque that the load alone needs.
+    // Scale: the torque for the load alone.
     const double torque = c.load_cases[0].axial_force * m.lead / (2.0 * std::numbers::pi);
     c.carrier.roller_torque = uniform(0.0, 0.002) * torque / m.rollers;
     c.carrier.screw_torque = uniform(0.0, 0.005) * torque;
@@ -110,15 +110,15 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   if (whole(0, 3) == 0) c = with_coulomb(c, uniform(0.01, 0.15));
   if (whole(0, 1) == 1) c = reversed(c);
   if (whole(0, 2) == 0) c = left_handed(c);
-  if (whole(0, 1) == 1) c = turned_back(c);  // of either hand half are driven by their load
+  if (whole(0, 1) == 1) c = turned_back(c);  // half of the cases of either hand are driven by their load
   c.materials->nut = {uniform(100e9, 210e9), uniform(0.25, 0.35), {}};
   if (whole(0, 1) == 1) c.materials->roller.density = uniform(4000.0, 8000.0);
   c.model.patch_points = whole(1, 30);
   return c;
 }
 
-/// What the plain calculation needs of a result: contact points and ellipses as they are in it, on
-/// the faces that touch, with loads and all friction computed anew.
+/// Input of the plain calculation from a result: its contact points and ellipses, on the faces that touch, with loads
+/// and all friction computed anew.
 inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std::size_t k = 0) {
   const prs::LoadCaseResult& loaded = result.load_cases[k];
   plain::Case p;

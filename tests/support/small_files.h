@@ -6,7 +6,7 @@
 
 namespace test {
 
-/// Files cannot grow beyond so many bytes, as on a full disk, while the object lives.
+/// Limits the size of files, as on a full disk, while the object lives.
 class SmallFilesOnly {
  public:
   explicit SmallFilesOnly(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

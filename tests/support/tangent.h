@@ -6,7 +6,7 @@
 
 namespace test {
 
-/// The Hessian of the energy at a state, into a matrix of the pattern of `linear_stiffness`.
+/// Writes the Hessian of the energy at a state into a matrix of the pattern of `linear_stiffness`.
 inline void set_tangent(const fe::Equations& equations, const fe::State& q, fe::SparseSymmetric& tangent) {
   std::vector<double> springs;
   for (int k = 0; k < static_cast<int>(equations.springs().size()); ++k)

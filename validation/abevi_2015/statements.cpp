@@ -83,7 +83,7 @@ double largest_of_cases(Value value) {
   return largest;
 }
 
-/// Smallest of shares of all six cases.
+/// Smallest share of all six cases.
 template <class Value>
 double smallest_of_cases(Value value) {
   double smallest = 1.0;
@@ -239,7 +239,7 @@ Finding first_screw_thread_grows_alike(const Results& r) {
 
 Finding first_six_grow_and_last_ten_fall(const Results& r) {
   bool holds = true;
-  std::size_t least = 20, most = 0;  // how many threads at the front grow
+  std::size_t least = 20, most = 0;  // number of growing threads at the front
   for_each_case([&](std::size_t c, Direction d) {
     const Rates& low = r.rates(Interface::screw, c, d, kFlexible, 0);
     const Rates& high = r.rates(Interface::screw, c, d);
@@ -334,7 +334,7 @@ double change_by_direction(const Results& r, Interface i) {
   return change;
 }
 
-constexpr double kVisible = 5e-4;  // 0.05 points, what a figure of the paper can show
+constexpr double kVisible = 5e-4;  // 0.05 points, visible in a figure of the paper
 
 Finding screw_distribution_varies(const Results& r) {
   const double configuration = change_between_configurations(r, Interface::screw);
@@ -438,7 +438,7 @@ std::vector<Variant<Results>> variants(const Case& screw) {
           {"vanishing load", Results(screw, 1e-12)}};
 }
 
-/// The influence of the boundary conditions is a statement on the variants among themselves.
+/// The influence of the boundary conditions compares the variants with each other.
 Finding boundary_conditions_matter(const std::vector<Variant<Results>>& variants) {
   double stiffness = 0.0, share = 0.0;
   for (std::size_t v = 1; v < 5; ++v)
@@ -473,7 +473,7 @@ Finding nut_shape_matters(const Case& screw, const Results& plain) {
 std::vector<ComparedStatement> compare_statements(const Case& screw, const Reference& paper) {
   const std::vector<Variant<Results>> all = variants(screw);
   std::vector<ComparedStatement> compared = compare(paper.statements, kChecks, all);
-  // Section 6 says these of the variants among themselves, and of a second nut.
+  // Statements of section 6 that compare the variants with each other, or with a second nut.
   const Checks<Case> others{
       {"boundary_conditions_matter", [&](const Case&) { return boundary_conditions_matter(all); }},
       {"nut_shape_matters", [&](const Case& c) { return nut_shape_matters(c, all.front().results); }}};

@@ -21,7 +21,7 @@ struct Design {
   }
 };
 
-/// One dimension of tables 3.2 to 3.9 and 4.2 to 4.9, or the rows of table 7.1 or 7.2, with what follows it.
+/// One dimension of tables 3.2 to 3.9 and 4.2 to 4.9, or the rows of table 7.1 or 7.2, with dependent dimensions.
 struct Sweep {
   std::string unit;
   Numbers values;
@@ -90,8 +90,8 @@ struct Formulas {
   Measures of(const Design& x) const { return measures(x.diameters(), x.threads); }
 };
 
-/// Load of the first of 20 threads over their mean, by (4.1) in its right form, thrust on the same side; the same load
-/// on the screw whatever its rollers.
+/// Load of the first of 20 threads over their mean, by (4.1) corrected, thrust on the same side; the same load on the
+/// screw for any rollers.
 double first_thread(const Formulas& f, const Design& x) {
   constexpr int kCount = 20;
   const Threads& t = x.threads;
@@ -117,8 +117,8 @@ const std::map<std::string, double (*)(const Formulas&, const Design&)> kQuantit
      }},
 };
 
-/// Tables 3.11, 4.11, 5.4 and 6.3: what a quantity depends on most; without N_s, which the right formulas know as a
-/// helix angle alone.
+/// Tables 3.11, 4.11, 5.4 and 6.3: primary parameters of a quantity; without N_s, which enters the right formulas only
+/// as a helix angle.
 const std::map<std::string, std::vector<std::string>> kPrimary{
     {"stiffness", {"nut_outer", "nut_inner", "screw", "roller", "pitch"}},
     {"first_thread", {"nut_outer", "nut_inner", "screw", "roller", "pitch"}},
@@ -128,7 +128,7 @@ const std::map<std::string, std::vector<std::string>> kPrimary{
 bool grows(const Numbers& x) { return std::ranges::adjacent_find(x, std::greater_equal{}) == x.end(); }
 bool falls(const Numbers& x) { return grows({x.rbegin(), x.rend()}); }
 
-/// Falls, then grows.
+/// Whether values fall, then grow.
 bool dips(const Numbers& x) {
   const auto least = std::ranges::min_element(x);
   return least != x.begin() && least != x.end() - 1 && falls({x.begin(), least + 1}) && grows({least, x.end()});
@@ -145,7 +145,7 @@ const std::map<std::string, bool (*)(const Numbers&)> kShapes{
        return dips(negative);
      }},
     {"ends_highest", [](const Numbers& x) { return std::ranges::max_element(x) == x.end() - 1; }},
-    // Within 2 % of the range; steps must be equal.
+    // Steps must be equal within 2 % of the range.
     {"grows_straight",
      [](const Numbers& x) {
        for (std::size_t k = 0; k < x.size(); ++k) {
@@ -164,7 +164,7 @@ const std::map<std::string, bool (*)(const Numbers&)> kShapes{
 };
 
 /// A check of the form `stiffness grows over pitch`, or `stiffness least over rollers`: less than over any primary
-/// parameter, by the greatest over the least value.
+/// parameter, by the ratio of the largest to the smallest value.
 struct FormulaCheck {
   std::string quantity, shape, over, sweep;
 

@@ -35,7 +35,7 @@ std::array<Diameters, 10> table(double (*roller)(int row, double screw)) {
   return rows;
 }
 
-/// Lemor's factor at the ratio of the diameters; not a number outside its range.
+/// Lemor's factor at the ratio of the diameters; NaN outside its range.
 double factor_of(const Diameters& d) {
   return geometry_factor(d.roller * std::cos(kContactAngle) / d.nut_inner()).value_or(std::nan(""));
 }
@@ -69,8 +69,8 @@ ThreadCompliance yamamoto(const Diameters& d, const ToothSection& tooth, double 
   return c;
 }
 
-/// Printed numbers over exact ones, less 1, in ppm, and the part of it that the rounding of F(rho)
-/// and of the number itself explains.
+/// Printed numbers over exact ones, minus 1, in ppm, and the part explained by the rounding of F(rho) and of the number
+/// itself.
 ValidationTable deviations_of_table_a1(const Reference& thesis) {
   ValidationTable table{"Table A1: printed over exact, less 1, and what of it no rounding explains, in ppm",
                         {"F(rho)", "a*", "b*", "delta*", "beyond, a*", "b*", "delta*"},
@@ -128,7 +128,7 @@ Measures as_printed(const Diameters& d, const Threads& t) {
   m.volume = pi * t.length * (square(outer) + square(d.screw) - square(inner) + t.rollers * square(d.roller));
   m.stiffness = 1.0 / compliance_as_printed(d, t).total();
   m.load_capacity = capacity(d, t, t.helix_angle.value_or(kPrintedHelixAngle));
-  // In mm and in this order: a weight of table 7.2 ends in a rounded 5.
+  // Evaluated in mm and in this order: a weight of table 7.2 ends in a rounded 5.
   const double d_r = per_si::millimetre * d.roller, d_n = per_si::millimetre * outer;
   const double wall = d_n - per_si::millimetre * d.screw - 2.0 * d_r;
   m.weight = 0.006165 * square(d_r) * t.rollers * t.length + 0.02466 * (d_n - wall) * wall * t.length;
@@ -179,7 +179,7 @@ std::vector<PrintedParameters> table_a1(const Reference& thesis) {
   for (const ReferenceCase& c : thesis.cases)
     for (const PrintedValue& v : c.values) {
       if (!v.where.starts_with("table A1")) continue;
-      const std::string f = v.where.substr(v.where.rfind(' ') + 1);  // Of `F = 0.1075`.
+      const std::string f = v.where.substr(v.where.rfind(' ') + 1);  // Text such as `F = 0.1075`.
       if (lines.empty() || lines.back().curvature_difference.text != f) lines.push_back({{f, {}}, {}, {}, {}});
       PrintedParameters& line = lines.back();
       (v.quantity.ends_with("semi_major")   ? line.semi_major
@@ -215,13 +215,13 @@ std::array<ScaleLine, 10> scale_chart() {
 
 namespace {
 
-constexpr double kLitre = 1e3;  // Per m^3.
+constexpr double kLitre = 1e3;  // Litres per m^3.
 
 double to_three_decimals(double x) { return std::round(1e3 * x) / 1e3; }
 
 std::array<Diameters, 10> rows_of(const VolumeFit& fit) { return fit.of_case_2 ? case_2() : case_1(); }
 
-/// Largest differences between a printed polynomial and what it was fitted to.
+/// Largest differences between a printed polynomial and the fitted values.
 ValidationTable::Row deviation(const VolumeFit& fit) {
   double largest = 0.0, largest_rounded = 0.0;
   for (const Diameters& d : rows_of(fit)) {
@@ -300,7 +300,7 @@ std::vector<ValidationTable> fit_tables(const Reference& thesis) {
   return {deviations, coefficients};
 }
 
-/// Keys of a row, found by the type.
+/// Keys of a row, called through the type.
 static void fields(const input::Fields& io, Diameters& d) {
   const input::Quantity length{input::unit::length, {}, "54 mm"};
   io("nut_outer", d.nut_outer, length, input::required, "D_n");
@@ -350,7 +350,7 @@ ValidationTable measures_table(std::string title, const std::array<Diameters, 10
   return table;
 }
 
-/// What the first row of both tables consists of.
+/// Parts of the compliance of the first row of both tables.
 ValidationTable compliance_table() {
   ValidationTable table{"Compliance of one thread for D_n = 54 mm, in nm/N",
                         {"formulas", "teeth", "screw, radial", "nut, radial", "Hertz", "all"},
@@ -377,7 +377,7 @@ using input::ErrorList;
 using input::InputError;
 using input::Node;
 
-/// A diameter that the user gives.
+/// A diameter given by the user.
 struct Given {
   std::string_view key;
   double Diameters::*diameter;
@@ -387,10 +387,10 @@ constexpr Given kGiven[] = {
 constexpr std::size_t kGivenCount = std::size(kGiven);
 constexpr std::string_view kExample = "54 mm, 27 mm, 9 mm";
 
-/// Smaller and larger ones are units gone wrong.
+/// Range of diameters; others have a wrong unit.
 constexpr double kSmallest = 1e-4, kLargest = 10.0;
 
-/// What is wrong with a row and with which of its diameters.
+/// Error in a row, with the diameter concerned.
 struct Problem {
   std::size_t given = 0;
   std::string message;
@@ -411,7 +411,7 @@ std::optional<Problem> problem_of(const Diameters& d) {
   const double cosine = std::numbers::sqrt2 / 2.0;
   const double ratio = d.roller * cosine / d.nut_inner();
   if (geometry_factor(ratio)) return {};
-  // d_r cos/d_n = q, d_n = d_s + 2 d_r; to whole micrometres within the range.
+  // d_r cos/d_n = q, d_n = d_s + 2 d_r; rounded to whole micrometres within the range.
   const auto roller_at = [&](double limit) { return d.screw / (cosine / limit - 2.0) * per_si::micrometre; };
   return Problem{2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where Lemor's "
                                 "geometry factor is known; with this screw take {:g} to {:g} mm",
@@ -489,7 +489,7 @@ std::vector<Diameters> read_csv(const std::string& file) {
   return rows;
 }
 
-/// A column as keys, headings and table 7.1 have it.
+/// A column with its key, heading and name in table 7.1.
 struct Column {
   const char* key;
   const char* heading;

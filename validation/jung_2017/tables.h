@@ -4,7 +4,7 @@
 
 namespace prs::jung_2017 {
 
-/// What a row of tables 7.1 and 7.2 chooses [m].
+/// Dimensions that vary between rows of tables 7.1 and 7.2 [m].
 struct Diameters {
   double nut_outer = 0.0;  ///< D_n
   double screw = 0.0;      ///< d_s
@@ -34,21 +34,20 @@ struct ThreadCompliance {
   double total() const { return teeth + screw_radial + nut_radial + hertz; }
 };
 
-// What the tables hold fixed: p = 2 mm, N_s = 5, N_r = 10, L = 100 mm, alpha_0 = 45 deg, 500
-// contacts.
+// Fixed dimensions of the tables: p = 2 mm, N_s = 5, N_r = 10, L = 100 mm, alpha_0 = 45 deg, 500 contacts.
 inline constexpr double kPitch = 2e-3;
 inline constexpr int kRollers = 10;
 inline constexpr double kLength = 0.1;
 
-/// What a sweep of chapters 3 to 6 changes besides diameters, by default as in tables 7.1 and 7.2. SI.
+/// Parameters of the sweeps of chapters 3 to 6 besides diameters, by default as in tables 7.1 and 7.2. SI units.
 struct Threads {
   double pitch = kPitch;
   double starts = 5;  ///< N_s
   double rollers = kRollers;
   double length = kLength;
-  /// Axial load of a thread, nowhere printed: with the teeth of the recipe table 7.1 leaves 1476 to 1509 N.
+  /// Axial load of a thread, which is not printed: with the teeth of the recipe table 7.1 allows 1476 to 1509 N.
   double load = 1500.0;
-  std::optional<double> helix_angle = {};  ///< beta_0 where it is changed alone [rad], as in table 3.9.
+  std::optional<double> helix_angle = {};  ///< beta_0 if it is varied alone [rad], as in table 3.9.
 
   double lead() const { return starts * pitch; }
   double contacts() const { return rollers * length / pitch; }  ///< N_c
@@ -63,8 +62,7 @@ struct Threads {
 std::array<Diameters, 10> case_1();
 std::array<Diameters, 10> case_2();
 
-/// The columns of tables 7.1 and 7.2 as they were printed, slips included; but table 7.2 divides C_a of table 7.1 by
-/// its own W:
+/// The columns of tables 7.1 and 7.2 as printed, slips included; but table 7.2 divides C_a of table 7.1 by its own W:
 ///
 ///     T   = D_n - d_n                                                              (7.1)
 ///     V   = pi (D_n^2 + d_s^2 - d_n^2 + N_r d_r^2) L                               for (7.2)
@@ -72,25 +70,22 @@ std::array<Diameters, 10> case_2();
 ///     W   = 0.006165 d_r^2 N_r L + 0.02466 (D_n - T) T L   [mm, L in m]            (7.7)
 ///     k   = 1/`compliance_as_printed`
 ///
-/// For `geometry_factor`'s range of d_r cos(alpha_0)/d_n and d_n < D_n.
+/// Valid in `geometry_factor`'s range of d_r cos(alpha_0)/d_n and for d_n < D_n.
 Measures as_printed(const Diameters& d, const Threads& t = {});
 
-/// Yamamoto's terms in their right form, on 1 mm of thread, with the lead N_s p where the pitch
-/// belongs (root shear and radial terms) and the crest's width p/8 where the tooth's height
-/// belongs; root width 7p/8, p/2 at the pitch line. Hertz's term for 1500 N with Y* = 4.333e-12
-/// 1/Pa used as if in mm^2/N, delta* = 0.98: 1e4 times too small, as is seen only in the last
-/// digits.
+/// Yamamoto's corrected terms, on 1 mm of thread, with the lead N_s p in place of the pitch (root shear and radial
+/// terms) and the crest's width p/8 in place of the tooth's height; root width 7p/8, p/2 at the pitch line. Hertz's
+/// term for 1500 N with Y* = 4.333e-12 1/Pa used as if in mm^2/N, delta* = 0.98: 1e4 times too small, visible only in
+/// the last digits.
 ThreadCompliance compliance_as_printed(const Diameters& d, const Threads& t = {});
 
-/// The same columns by the right formulas: the nut's wall T = (D_n - d_n)/2; volume of nut and
-/// rollers pi/4 (D_n^2 - d_n^2 + N_r d_r^2) L; C_a with tan(beta_0) = N_s p/(pi d_s); 7850 kg/m^3
-/// times the volume; 1/`right_compliance`.
+/// The columns by the right formulas: the nut's wall T = (D_n - d_n)/2; volume of nut and rollers pi/4 (D_n^2 - d_n^2 +
+/// N_r d_r^2) L; C_a with tan(beta_0) = N_s p/(pi d_s); 7850 kg/m^3 times the volume; 1/`right_compliance`.
 Measures corrected(const Diameters& d, const Threads& t = {});
 
-/// (3.45) with Yamamoto's terms on the share of a roller in the thread's circumference,
-/// pi d/N_r, the least deflection that they can give, height 3p/16 from the pitch line to the root,
-/// and exact Hertz for 1500 N of axial load on the curvatures (3.27)-(3.38). As in (3.45) the
-/// roller's teeth are left out.
+/// (3.45) with Yamamoto's terms on a roller's share of the thread's circumference, pi d/N_r, the smallest deflection
+/// that they can give, height 3p/16 from the pitch line to the root, and exact Hertz for 1500 N of axial load on the
+/// curvatures (3.27)-(3.38). As in (3.45) the roller's teeth are left out.
 ThreadCompliance right_compliance(const Diameters& d, const Threads& t = {});
 
 /// Dimensionless contact parameters of Hertz and Harris, table A1.
@@ -100,23 +95,23 @@ struct ContactParameters {
   double approach = 1.0;    ///< delta* = 2 K/(pi a*)
 };
 
-/// The parameters for F(rho) = (kappa_2 - kappa_1)/(kappa_1 + kappa_2), 0 <= F < 1, of the relative
-/// principal curvatures, (3.39) and (3.40), by exact elliptic integrals. From (1 - F)/(1 + F),
-/// which loses nothing near 1.
+/// The parameters for F(rho) = (kappa_2 - kappa_1)/(kappa_1 + kappa_2), 0 <= F < 1, of the relative principal
+/// curvatures, (3.39) and (3.40), by exact elliptic integrals. Computed from (1 - F)/(1 + F), which loses no digits
+/// near F = 1.
 ContactParameters contact_parameters(double curvature_difference);
 
-/// A line of table A1 but the first and the last, which are limits.
+/// A line of table A1 except the first and the last, which are limits.
 struct PrintedParameters {
   PrintedNumber curvature_difference, semi_major, semi_minor, approach;
 };
 std::vector<PrintedParameters> table_a1(const Reference& thesis);
 
-/// How far a printed number lies beyond what the rounding of F(rho) and its own allow, relative to
-/// it; 0 for a number that may be right.
+/// Deviation of a printed number that the rounding of F(rho) and its own do not explain, relative to it; 0 for a number
+/// that may be right.
 double unexplained(const PrintedNumber& printed, const PrintedNumber& curvature_difference,
                    double ContactParameters::*parameter);
 
-/// A line of table 8.1: the four parameters that share one place on the y-axis of the envelopes.
+/// A line of table 8.1: the four parameters at one place on the y-axis of the envelopes.
 struct ScaleLine {
   double scale = 0.0;  ///< D_n over the root mean square of its ten values.
   int rollers = 0;
@@ -141,44 +136,43 @@ struct VolumeFit {
   double at(double x) const;
 };
 
-/// (7.8) to (7.13). Below (7.11) to (7.13) y is said to be the load capacity; figures 7.4 to 7.6
-/// and the numbers have stiffness, load capacity and weight.
+/// (7.8) to (7.13). The text below (7.11) to (7.13) calls y the load capacity; figures 7.4 to 7.6 and the numbers have
+/// stiffness, load capacity and weight.
 std::vector<VolumeFit> volume_fits(const Reference& thesis);
 
-/// Least-squares polynomial through the ten rows of its case by the recipe `as_printed`, case 1
-/// with unrounded values. Case 2 takes volumes, capacities and weights to three decimals as the
-/// table prints them, since only these give the printed coefficients.
+/// Least-squares polynomial through the ten rows of its case by the recipe `as_printed`, case 1 with unrounded values.
+/// Case 2 uses volumes, capacities and weights with three decimals as the table prints them, since only these give the
+/// printed coefficients.
 std::array<double, 6> refitted(const VolumeFit& fit);
 
-/// The printed polynomials at the volumes of their rows, unrounded and to three decimals, less the
-/// recipe's values; and the printed coefficients next to `refitted`.
+/// The printed polynomials at the volumes of their rows, unrounded and with three decimals, minus the recipe's values;
+/// and the printed coefficients next to `refitted`.
 std::vector<ValidationTable> fit_tables(const Reference& thesis);
 
-/// How the columns of tables 7.1 and 7.2 are computed from three diameters.
+/// A way to compute the columns of tables 7.1 and 7.2 from three diameters.
 struct Recipe {
   std::string_view name;
   Measures (*measures)(const Diameters&, const Threads&);
   std::string_view title;
 };
 
-/// `jung-as-printed` and `jung-corrected`.
+/// Recipes `jung-as-printed` and `jung-corrected`.
 const std::vector<Recipe>& recipes();
 /// The recipe of this name, or null.
 const Recipe* find_recipe(std::string_view name);
 
-/// Rows of diameters from a file, where one is named, then from texts such as `54 mm, 27 mm, 9 mm`
-/// (nut outer, screw, roller), each the value of an option `--diameters`. The file is YAML,
+/// Rows of diameters from a file, if one is named, then from texts such as `54 mm, 27 mm, 9 mm` (nut outer, screw,
+/// roller), each the value of an option `--diameters`. The file is YAML,
 ///
 ///     diameters:
 ///       - {nut_outer: 54 mm, screw: 27 mm, roller: 9 mm}
 ///
-/// or, where its name ends in `.csv`, comma-separated values with the columns nut_outer_mm,
-/// screw_mm and roller_mm. Throws input::InputError, also where there is no row, where rollers and
-/// screw do not fit into the nut and where the ratio of diameters is outside the range of Lemor's
-/// factor.
+/// or, if its name ends in `.csv`, comma-separated values with the columns nut_outer_mm, screw_mm and roller_mm. Throws
+/// input::InputError, also if there is no row, if rollers and screw do not fit into the nut and if the ratio of
+/// diameters is outside the range of Lemor's factor.
 std::vector<Diameters> read_diameters(const std::string& file, const std::vector<std::string>& texts);
 
-/// The columns with the decimals that table 7.1 prints.
+/// Text of the columns with the decimals of table 7.1.
 std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows);
 std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows, const CsvStyle& style = {});
 nlohmann::ordered_json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows, const DocumentInfo& info);

@@ -22,7 +22,7 @@ constexpr Words<Contacts> kContacts{{{"opposite", Contacts::opposite}, {"half_pi
 constexpr int kConfigs = 3;
 constexpr std::size_t kSetups = kConfigs * kDirections.size() * kGuidances.size() * kContacts.size();
 
-/// A printed digit is rounded from a computation of unknown rounding.
+/// Tolerance for printed digits, which are rounded from a computation of unknown rounding.
 constexpr double kSlack = 1.0 + 1e-9;
 
 template <class Value>
@@ -104,7 +104,7 @@ class Reader {
             {rates_at(row, Interface::screw), rates_at(row, Interface::nut)}};
   }
 
-  /// kN and um as printed.
+  /// Checks a stiffness against kN and um as printed.
   void check_stiffness(std::size_t row, double load, double displacement) const {
     const double stiffness = 1e3 * load / displacement;
     const double rounding =
@@ -147,7 +147,7 @@ double position_of(const Case& screw, const Setup& setup) {
   return *found->position;
 }
 
-/// Loads of a curve as load cases.
+/// Adds the loads of a curve as load cases.
 void add_load_cases(Case& c, const Curve& curve, const Case& screw) {
   for (const CurvePoint& point : curve.points) {
     LoadCase load_case;

@@ -7,8 +7,8 @@
 namespace prs::reference_fe {
 namespace {
 
-/// From where to where a discrepancy of the bar model lies. The bands are the spread over all
-/// cases, widened by the reference's error bar: they say how large the gap is and are no tolerance.
+/// Range of a discrepancy of the bar model. The bands are the range over all cases, widened by the reference's error
+/// bar: they describe the gap and are not a tolerance.
 struct Band {
   double from = 0.0;
   double to = 0.0;
@@ -30,7 +30,7 @@ std::string shown(const Extreme& e, const char* format, int factor = 1) {
 
 int threads(const Fidelities& f) { return static_cast<int>(f.reference.front().points.back().load_rate.screw.size()); }
 
-/// In % of the mean thread load, which says the same with few threads and with many.
+/// Load rate in % of the mean thread load, comparable for any number of threads.
 double of_mean_load(double load_rate, int threads) { return percent(load_rate * threads); }
 
 double full_load(const Fidelities& f) { return f.reference.front().points.back().load; }
@@ -257,7 +257,7 @@ std::string load_rates_csv(const std::vector<Model>& models, const std::vector<C
   return csv.take();
 }
 
-/// Rates of one case at its largest load.
+/// Table of the rates of one case at its largest load.
 std::string markdown_table(const std::vector<Model>& models, const Curve& reference, std::size_t curve) {
   const CurvePoint& target = reference.points.back();
   std::string text =
@@ -292,7 +292,7 @@ std::string load_rates_markdown(const std::vector<Model>& models, const std::vec
   return text;
 }
 
-/// Told apart by dash in grey print; the thinner ones lie on top.
+/// Dashes distinguish the models in grey print; thinner lines lie on top.
 constexpr Style kModelStyles[] = {line_of(Colour::orange, Dash::dash_dotted, Weight::strong),
                                   line_of(Colour::vermillion, Dash::dashed, Weight::strong), line_of(Colour::blue)};
 constexpr Style kPointStyle = points_of(Colour::ink, Mark::circle, Weight::thin);
@@ -311,7 +311,7 @@ std::string case_title(const Setup& setup) {
   return fmt::format("CONFIG {}, {}", setup.config, prs::name(setup.direction));
 }
 
-/// Styles and legend: the models by their indices, then points and bars of the reference.
+/// Styles in the order of the legend: the models by their indices, then points and bars of the reference.
 struct StyleIndices {
   std::size_t points = 0;
   std::size_t bars = 0;
@@ -325,7 +325,7 @@ StyleIndices add_styles(Figure& figure, const std::vector<Model>& models) {
   return styles;
 }
 
-/// A vertical stroke at each point, as long as its half widths say.
+/// A vertical stroke at each point, of twice its half width.
 Series error_bars(std::size_t style, const Polyline& points, const std::vector<double>& half_widths) {
   Series line{style};
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -335,7 +335,7 @@ Series error_bars(std::size_t style, const Polyline& points, const std::vector<d
   return line;
 }
 
-/// Load rates less those of `base`, in %.
+/// Load rates minus those of `base`, in %.
 Polyline differences(const std::vector<double>& rates, const std::vector<double>& base) {
   Polyline points;
   for (std::size_t k = 0; k < rates.size(); ++k)
@@ -343,7 +343,7 @@ Polyline differences(const std::vector<double>& rates, const std::vector<double>
   return points;
 }
 
-/// Rates of all models and the reference, less those of `base`.
+/// Rates of all models and the reference, minus those of `base`.
 Panel rate_panel(const std::vector<Model>& models, std::size_t curve, const CurvePoint& reference, Interface i,
                  const std::vector<double>& base, const StyleIndices& styles, const ErrorBar& error) {
   Panel panel;
@@ -358,7 +358,7 @@ Panel rate_panel(const std::vector<Model>& models, std::size_t curve, const Curv
   return panel;
 }
 
-/// As wide as its lines on both sides of zero.
+/// Axis as wide as its lines on both sides of zero.
 Axis difference_axis(const std::vector<const Panel*>& panels) {
   Range range;
   for (const Panel* panel : panels) range.include(range_of_y(panel->series));

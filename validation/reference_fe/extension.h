@@ -9,7 +9,7 @@ namespace prs::reference_fe {
 inline constexpr ErrorBar kReferenceError{0.002, 0.001};
 /// Working accuracy of the influence model.
 inline constexpr ErrorBar kInfluenceError{0.005, 0.001};
-/// What the refined model promises.
+/// Claimed accuracy of the refined model.
 inline constexpr ErrorBar kRefinedError{0.05, 0.010};
 
 /// The reference and the three models on the same curves.
@@ -17,10 +17,10 @@ struct Fidelities {
   std::vector<Curve> reference;
   std::vector<Curve> bars;
   std::vector<Curve> refined;
-  std::vector<Curve> influence;  ///< Empty where the program leaves that model out.
+  std::vector<Curve> influence;  ///< Empty if the program omits that model.
 };
 
-/// How large the gap of the bar model is, and whether the other two stay within their error bars.
+/// Statements on the gap of the bar model, and whether the other two are within their error bars.
 std::vector<ComparedStatement> compare_statements(const Fidelities& fidelities);
 
 /// Discrepancies of the models at the largest load, case by case, and over all cases and loads.
@@ -30,14 +30,14 @@ std::vector<ValidationTable> tables(const std::vector<Model>& models, const std:
 /// `load_rates.md`: every thread at the largest load, one table per case.
 std::vector<OutputFile> files(const std::vector<Model>& models, const std::vector<Curve>& reference);
 
-/// For each curve with opposite contacts one figure at its largest load: load rate over the threads
-/// of both interfaces and, below, the differences from the reference. The reference is drawn as
-/// points with error bars, the models as lines.
+/// Figures for each curve with opposite contacts at its largest load: load rate over the threads of both interfaces
+/// and, below, the differences from the reference. The reference is drawn as points with error bars, the models as
+/// lines.
 std::vector<Figure> load_rate_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
                                       const ErrorBar& error);
 
-/// For each guidance the displacement over the load, one row per configuration, one column per
-/// direction. Opposite contacts.
+/// Figures for each guidance of the displacement over the load, one row per configuration, one column per direction.
+/// Opposite contacts.
 std::vector<Figure> displacement_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
                                          const ErrorBar& error);
 

@@ -6,7 +6,7 @@
 namespace prs::sandu_2018 {
 namespace {
 
-/// A column of table 1.8: signed curvatures of screw and nut, +-1/r_B [1/mm]; those of a nut are of its air.
+/// A column of table 1.8: signed curvatures of screw and nut, +-1/r_B [1/mm]; for a nut those of its air.
 struct ProfileCurvatures {
   double screw = 0.0, nut = 0.0;
 };

@@ -108,9 +108,8 @@ double printed_rolling_speed(const contact::Vector3<double>& u, const contact::V
   return u.norm() - u_n * u_n / u.norm();
 }
 
-/// Film thicknesses and largest sliding speed of figs. 2.8 and 2.9: printed, as the thesis' own
-/// formulas give them, and with the signs of the curvatures kept. `reference` is the case of table
-/// 3.2.
+/// Film thicknesses and largest sliding speed of figs. 2.8 and 2.9: as printed, by the thesis' own formulas, and with
+/// the signs of the curvatures kept. `reference` is the case of table 3.2.
 ValidationTable printed_ellipses(const Case& reference) {
   const Result result = analyze_contacts(reference);
   const LoadCaseResult& loaded = result.load_cases.front();

@@ -6,7 +6,7 @@ namespace prs::sandu_2018 {
 
 inline constexpr double kMeasuredSlipRatio = 0.3730;  ///< Experiment 6.
 
-/// Slip of the first load case, as it ended.
+/// Slip of the first load case, with any status.
 SlipResult slip_of(const Case& c);
 
 /// Results for the values of one input; `change(case, value)` puts a value into the case.
@@ -31,12 +31,11 @@ Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 /// B_1 and B_2 over several ranges, next to the printed ones.
 ValidationTable efficiency_fits(const Case& reference);
 
-/// Power at one contact of each interface for more and more points (fig. 3.8).
+/// Power at one contact of each interface for increasing numbers of points (fig. 3.8).
 ValidationTable patch_convergence(const Case& reference);
 
-/// Statements that chapters 2 and 3 of Sandu 2018 make in words, judged on the reference example of
-/// table 3.2 and around it, with Jacod's friction and with Coulomb's. Ranges that the text does not
-/// give stand in the evidence.
+/// Statements of chapters 2 and 3 of Sandu 2018 in words, judged on the reference example of table 3.2 and around it,
+/// with Jacod's friction and with Coulomb's. Ranges that the text does not give are in the evidence.
 std::vector<ComparedStatement> compare_statements(const Case& reference, const Reference& thesis);
 
 }  // namespace prs::sandu_2018

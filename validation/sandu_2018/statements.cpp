@@ -11,7 +11,7 @@ namespace {
 using Values = std::vector<double>;
 using Results = std::vector<SlipResult>;
 
-// Ranges of the text or, where it gives none, around the reference.
+// Ranges of the text or, if it gives none, around the reference.
 const Values kDiameters{20, 25, 30, 35, 40, 45, 50};         // 2 r_S [mm]
 const Values kLeads{5, 7.5, 10, 12.5, 15, 20};               // [mm]
 const Values kFlankAngles{40, 42.5, 45, 47.5, 50};           // [deg]
@@ -26,7 +26,7 @@ const Values kForces{5, 10, 20, 35, 50, 70};                 // F_N [kN]
 const Values kNutTorques{0, 0.5, 1, 2, 4};                   // C_P/N [N m]
 const Values kPressureAngles{30, 35, 40, 42.5, 45, 50, 60};  // alpha_n [deg]
 
-// What is varied.
+// Varied inputs.
 void diameter(Case& c, double mm) { c.mechanism.pitch_diameter.screw = mm * 1e-3; }
 void lead(Case& c, double mm) { c.mechanism.lead = mm * 1e-3; }
 void flank_angle(Case& c, double deg) {
@@ -59,7 +59,7 @@ Case at(Case c, void (*change)(Case&, double), double value) {
   change(c, value);
   return c;
 }
-/// The mechanism under load without friction, as at rest.
+/// Mechanism under load without friction, as at rest.
 Case without_friction(Case c) {
   c.carrier.bearing.reset();
   return with_coulomb(c, 0.0);
@@ -95,7 +95,7 @@ std::string range(const Values& v, const char* unit) {
   return fmt::format("{:g} to {:g} {}", v.front(), v.back(), unit);
 }
 
-/// Contacts and the mechanical model behind a result, for what the result does not hold.
+/// Contacts and the mechanical model behind a result, for quantities that the result lacks.
 struct Mechanics {
   Result result;
   SlipModels models;
@@ -362,7 +362,7 @@ Finding dynamic_loads_rise_slightly(const Case& c) {
                       100 * rise(Interface::nut))};
 }
 
-/// Power where ellipse, pressure and film follow from the dynamic loads.
+/// Power if ellipse, pressure and film follow from the dynamic loads.
 Finding dynamic_ellipses_change_little(const Case& c) {
   const Mechanics m(c);
   SlipModel model = m.models.of(m.result.load_cases.front());
@@ -519,7 +519,7 @@ Finding efficiency_is_constant(const Case& c) {
                                  by_viscosity, by_stress)};
 }
 
-/// How well a line fits: its largest error over the range of the values.
+/// Deviation from a line: its largest error over the range of the values.
 double nonlinearity(const Values& x, const Values& y) { return line_through(x, y).worst / spread(y); }
 
 Values logarithms(Values v) {

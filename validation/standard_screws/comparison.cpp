@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMillimetre = 1e-3, kKilonewton = 1e3, kKilogramSquareMillimetre = 1e-6;
 
-/// What is equal where only the lead differs.
+/// Dimensions that are equal for screws that differ in the lead only.
 using Envelope = std::tuple<double, int, double, double>;
 
 Envelope envelope(const ScrewData& s) { return {s.screw_diameter, *s.starts, *s.nut_diameter, *s.nut_length}; }
@@ -37,8 +37,8 @@ Ratios ratios(const CatalogueScrew& printed, Flanks flanks, int most_rollers) {
   return r;
 }
 
-/// Exponent x of a capacity that goes with lead^x: least squares of logarithms over screws that
-/// differ in nothing that is printed but the lead, one constant for each such group.
+/// Exponent x of a capacity proportional to lead^x: least squares of logarithms over groups of screws whose printed
+/// data differ in the lead only, one constant for each group.
 double lead_exponent(const std::vector<Ratios>& rows, double (*capacity)(const Ratios&)) {
   std::map<Envelope, std::vector<const Ratios*>> alike;
   for (const Ratios& r : rows) alike[envelope(r.printed.screw)].push_back(&r);
@@ -130,7 +130,7 @@ double printed_static(const Ratios& r) { return r.printed.static_capacity; }
 double computed_dynamic(const Ratios& r) { return *r.measures.dynamic_capacity; }
 double computed_static(const Ratios& r) { return *r.measures.static_capacity; }
 
-/// Printed to a tenth of a kilogram.
+/// Whether the weight is printed to a tenth of a kilogram.
 bool weight_is_known(const Ratios& r) { return r.printed.weight_digit <= 0.1 * r.printed.weight; }
 
 std::string text(const Interval& i) { return fmt::format("{:.2f} to {:.2f}", i.least, i.greatest); }
@@ -147,7 +147,7 @@ Finding ratio(const Rows& rows, double Ratios::*of, double least, double greates
   return {within(i, least, greatest), "computed over printed " + text(i)};
 }
 
-/// The digits of a row are those of its class.
+/// Digits of a row are those of its class.
 const Checks<Rows> kChecks{
     {"dynamic_capacity_and_lead",
      [](const Rows& rows) { return exponent(rows, printed_dynamic, computed_dynamic, 0.05); }},

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSamples = 2000;
 constexpr double kRange = 0.03;
 
-/// An input of tables A1 and A2 that takes part; pitches, moduli and ratios are those of S, R, N.
+/// A varied input of tables A1 and A2; pitches, moduli and ratios are those of S, R, N.
 struct Input {
   std::string_view name;
   void (*scale)(Case&, double);
@@ -76,7 +76,7 @@ double printed_load_ratio(const Mechanism& m) {
   return 1.0 / (std::cos(std::atan(std::tan(m.flank_angle.roller) * std::cos(helix))) * std::cos(helix));
 }
 
-/// The peak pressure, which grows with the cube root of the normal load.
+/// Peak pressure, which grows with the cube root of the normal load.
 double stress(const Case& c, const Result& result, Interface i, bool printed_load) {
   const double peak = (*result.load_cases[0].threads)[i].peak_pressure[0];
   if (!printed_load) return peak;
@@ -106,7 +106,7 @@ class Ranking {
  public:
   explicit Ranking(const LinearRegression& regression) : fits_(regression.fits()) {}
 
-  /// [%], with the sign of the effect.
+  /// Contribution [%], with the sign of the effect.
   double of(std::string_view input, Response response) const {
     const auto found = std::ranges::find(kInputs, input, &Input::name);
     const FactorEffect& e = fits_[response]->effects[static_cast<std::size_t>(found - std::begin(kInputs))];
@@ -119,7 +119,7 @@ class Ranking {
                              [&](const std::string& name) { return std::abs(of(name, response)); });
     return names;
   }
-  /// `d_R0 -22.0, beta_R +17.3`: the first so many.
+  /// The first `count` contributions: `d_R0 -22.0, beta_R +17.3`.
   std::string listed(Response response, std::size_t count) const {
     std::vector<std::string> texts;
     for (const std::string& name : ranked(response))
@@ -131,12 +131,12 @@ class Ranking {
   std::vector<std::optional<LinearFit>> fits_;
 };
 
-/// With the normal load of equilibrium, and with that of (27).
+/// Rankings with the normal load of equilibrium, and with that of (27).
 struct Rankings {
   Ranking equilibrium, printed;
 };
 
-/// A sample whose threads do not touch within their heights is left out.
+/// Rankings; samples whose threads do not touch within their heights are left out.
 Rankings rankings(const Case& initial) {
   LinearRegression equilibrium(kInputCount, kResponseCount), printed(kInputCount, kResponseCount);
   Case middle = initial;
@@ -210,7 +210,7 @@ Finding screw_radii_signs(const Ranking& r) {
           "screw: " + r.listed(kScrewRadius, 3) + "; roller: " + r.listed(kRollerRadiusAtScrew, 3)};
 }
 
-constexpr double kPoint = 1.0;  // How near a printed percentage has to be.
+constexpr double kPoint = 1.0;  // Tolerance of a printed percentage.
 
 Finding screw_curvature(const Ranking& r) {
   return {std::abs(r.of("d_R0", kScrewCurvature) + 50.08) < kPoint &&

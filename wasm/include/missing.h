@@ -1,8 +1,8 @@
 #pragma once
 
-/// What libc++ 13, that of Debian 12's emscripten, lacks of C++20: the algorithms of std::ranges
-/// that this project uses, std::from_chars of double, std::bit_cast, the order of texts by `<=>`.
-/// Included before every source, by that compiler alone.
+/// Parts of C++20 that libc++ 13, in Debian 12's emscripten, lacks: the algorithms of std::ranges that this project
+/// uses, std::from_chars of double, std::bit_cast, comparison of texts by `<=>`. Included before every source, by that
+/// compiler only.
 
 #include <algorithm>
 #include <charconv>
@@ -21,7 +21,7 @@
 namespace std {
 
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
-  // Both of them take `inf`, `nan` and no leading `+`.
+  // Both functions accept `inf`, `nan` and no leading `+`.
   const auto [end, error] = fast_float::from_chars(first, last, value);
   return {end, error};
 }
@@ -53,7 +53,7 @@ constexpr auto compared_by(C& compare, P& projection) {
   };
 }
 
-/// An algorithm NAME of a predicate, by that of iterators.
+/// An algorithm NAME with a predicate, by that on iterators.
 #define PRS_OF_PREDICATE(NAME)                                                   \
   struct NAME##_fn {                                                             \
     template <class R, class F, class P = std::identity>                         \
@@ -73,7 +73,7 @@ PRS_OF_PREDICATE(count_if)
 PRS_OF_PREDICATE(partition_point)
 #undef PRS_OF_PREDICATE
 
-/// An algorithm NAME of an order, by that of iterators.
+/// An algorithm NAME with an order, by that on iterators.
 #define PRS_OF_ORDER(NAME)                                                                      \
   struct NAME##_fn {                                                                            \
     template <ranges::range R, class C = ranges::less, class P = std::identity>                 \
@@ -183,7 +183,7 @@ struct equal_fn {
   }
 };
 
-// Those that write return nothing: nobody asks.
+// Algorithms that write return nothing, as their results are not used.
 
 struct copy_fn {
   template <class R, class O>

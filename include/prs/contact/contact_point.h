@@ -1,4 +1,4 @@
 #pragma once
 
-// Where two thread surfaces touch.
+// Contact points of two thread surfaces.
 #include "contact/contact_point.h"

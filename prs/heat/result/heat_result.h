@@ -9,10 +9,10 @@
 
 namespace prs {
 
-/// How the search for steady or periodic temperatures ended.
+/// Outcome of the search for steady or periodic temperatures.
 enum class HeatStatus {
   converged,
-  no_steady_state,  ///< The parts warm on until no oil and no steel stands it, or slip ends.
+  no_steady_state,  ///< The parts become hotter than oil and steel allow, or slip ends.
   iteration_limit,
 };
 
@@ -21,31 +21,31 @@ constexpr std::string_view name(HeatStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
-/// Temperatures at which the losses of a load case and the heat that the parts pass on balance. SI
-/// units; of all rollers together.
+/// Temperatures at which the losses of a load case balance the heat flow from the parts. SI units; all rollers
+/// together.
 struct HeatResult {
   HeatStatus status = HeatStatus::iteration_limit;
   std::string reason = {};                  ///< Reason why it did not converge.
-  int evaluations = 0;                      ///< Evaluations of the losses at temperatures.
-  bool others = false;                      ///< Hotter steady states exist.
+  int evaluations = 0;                      ///< Number of evaluations of the losses at temperatures.
+  bool others = false;                      ///< Whether hotter steady states exist.
   PerPart<double> temperature;              ///< [K]
   std::optional<PerInterface<double>> oil;  ///< Temperature of the oil at the contacts [K]; none without lubricant.
-  PerPart<double> heat;                     ///< Heat that flows into each part [W].
+  PerPart<double> heat;                     ///< Heat flow into each part [W].
 
   bool converged() const { return status == HeatStatus::converged; }
 };
 
-/// The state that repeats itself from cycle to cycle of a duty. SI units.
+/// Periodic state of a duty cycle. SI units.
 struct HeatCycle {
   HeatStatus status = HeatStatus::iteration_limit;
   std::string reason = {};
-  std::vector<double> time;                  ///< From the start of the cycle to its end [s].
-  PerPart<std::vector<double>> temperature;  ///< At these times [K].
+  std::vector<double> time;                  ///< Times from the start of the cycle to its end [s].
+  PerPart<std::vector<double>> temperature;  ///< Temperatures at these times [K].
   PerPart<double> peak, mean;                ///< [K]
   double period = 0.0;                       ///< [s]
-  double energy_in = 0.0;                    ///< Energy that shaft and load bring in while they drive, per cycle [J].
-  double energy_lost = 0.0;                  ///< By friction, per cycle [J].
-  std::optional<double> efficiency;          ///< What comes out over what goes in; none where nothing does.
+  double energy_in = 0.0;                    ///< Energy input of shaft and load while they drive, per cycle [J].
+  double energy_lost = 0.0;                  ///< Energy lost by friction, per cycle [J].
+  std::optional<double> efficiency;          ///< Ratio of output to input; none without input.
 
   bool converged() const { return status == HeatStatus::converged; }
 };

@@ -25,8 +25,8 @@ struct BarStation {
   Real radial_part[2];  ///< sin(psi)
   Real screw;           ///< E A/p [N/m]
   RollerChain<Real> roller;
-  const Real* nut;     ///< To the next contact; 0 across the thrust section [N/m].
-  const Real* ground;  ///< From a contact to the thrust section, if nothing lies between.
+  const Real* nut;     ///< Stiffness to the next contact; 0 across the thrust section [N/m].
+  const Real* ground;  ///< Stiffness from a contact to the thrust section, if no other contact lies between.
 
   [[gnu::always_inline]] const Real& coefficient(int contact, int kind) const {
     return kind == 0 ? axial_part[contact] : radial_part[contact];
@@ -98,7 +98,7 @@ class NutOfBars {
   void set(int contacts, Real* nut, Real* ground) const {
     const Real same = kSamePlace * numbers_.nut_length;
     const Real& thrust = numbers_.thrust;
-    const Real none = thrust - thrust;  // not a number where the thrust section is none
+    const Real none = thrust - thrust;  // NaN if the thrust section is
     const auto support = [&](const fe::Lanes<Real>& where, const Real& from, const Real& to) {
       return any(where) ? select(where, 1.0 / compliance(from, to), none) : none;
     };
@@ -120,7 +120,7 @@ class NutOfBars {
   }
 
  private:
-  static constexpr std::size_t kKept = 4;  ///< Flanges that are read once.
+  static constexpr std::size_t kKept = 4;  ///< Number of flanges that are read only once.
   struct Flange {
     Real from, to, less;
   };
@@ -130,7 +130,7 @@ class NutOfBars {
     return {f.from, f.to, 1.0 / f.axial_rigidity - plain_};
   }
 
-  /// Between two sections [m/N].
+  /// Compliance between two sections [m/N].
   Real compliance(const Real& from, const Real& to) const {
     Real sum = (to - from) * plain_;
     for (std::size_t i = 0; i < flanges_; ++i) {

@@ -8,9 +8,9 @@
 
 namespace prs {
 
-using fe::abs, fe::any, fe::max, fe::min, fe::select;  // of single numbers, beside those of batches
+using fe::abs, fe::any, fe::max, fe::min, fe::select;  // for single numbers, besides those for batches
 
-/// Numbers side by side in a batch.
+/// Number of values in a batch.
 template <class Real>
 inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 
@@ -34,13 +34,13 @@ template <class Real>
   return value;
 }
 
-/// A batch of solves, one per lane, from `first` on of `size` solves whose numbers stand in arrays.
-/// Lanes beyond the end repeat the last solve and deliver nothing.
+/// A batch of solves, one per lane, from `first` on out of `size` solves whose numbers are in arrays. Lanes beyond the
+/// end repeat the last solve and deliver nothing.
 struct LaneRange {
   std::size_t first = 0;
   std::size_t size = 0;
 
-  /// Number `offset` of each solve, `stride` numbers a solve; zeros from an empty array.
+  /// Number `offset` of each solve, `stride` numbers per solve; zeros from an empty array.
   template <class Real>
   [[gnu::always_inline]] Real load(std::span<const double> values, std::size_t stride = 1,
                                    std::size_t offset = 0) const {
@@ -88,7 +88,7 @@ struct RollerBeam {
     add(fe::Index<U + 2>{}, fe::Index<U + 2>{}, near);
   }
 
-  /// From the first node's U to the second node's W.
+  /// Coupling of the first node's U with the second node's W.
   template <int U, int W, class Add>
   [[gnu::always_inline]] void add_coupling(Add add) const {
     const Real shear = slope * (near + far);
@@ -99,7 +99,7 @@ struct RollerBeam {
     add(fe::Index<U + 2>{}, fe::Index<W + 2>{}, far);
   }
 
-  /// End forces as fe::end_forces, rigid motion dropped before it meets the stiffness.
+  /// End forces like fe::end_forces: rigid motion is removed before the stiffness is applied.
   template <int U, int W, class State>
   [[gnu::always_inline]] void add_forces(const State& first, const State& second, Real* first_force,
                                          Real* second_force) const {
@@ -122,7 +122,7 @@ struct RollerBeam {
   }
 };
 
-/// A uniform length of a roller; flexibilities so that rigid ones are zeros.
+/// A uniform length of a roller; given by flexibilities, so that rigid ones are zeros.
 template <class Real>
 struct RollerLength {
   Real length;
@@ -130,12 +130,12 @@ struct RollerLength {
   Real shear;    ///< 1/(kappa G A) [1/N]; 0 without shear.
 };
 
-/// Stiffness over (v, r theta) that a roller's end has for its outermost contact: symmetric.
+/// Stiffness over (v, r theta) of a roller's end at its outermost contact: symmetric.
 template <class Real>
 struct RollerEnd {
   Real vv, vt, tt;  ///< [N/m]
 
-  /// To freedoms V and V + 1 of a station; `add` as of fe::Chain.
+  /// Adds it to freedoms V and V + 1 of a station; `add` as in fe::Chain.
   template <int V, class Add>
   [[gnu::always_inline]] void add(Add add) const {
     add(fe::Index<V>{}, fe::Index<V>{}, vv);
@@ -151,16 +151,15 @@ struct RollerEnd {
   }
 };
 
-/// The run-out from the outermost contact to the inner node of the end element, the end element and
-/// the radial guides at both its nodes, condensed to the contact: with the cantilever's flexibility
+/// The run-out from the outermost contact to the inner node of the end element, the end element and the radial guides
+/// at both its nodes, condensed to the contact: with the cantilever's flexibility
 ///
 ///     f_ii = l_1^3/(3 B_1) + l_1/G_1,   f_io = f_ii + l_1^2 l_2/(2 B_1),
 ///     f_oo = f_io + l_1 l_2 (l_1/2 + l_2)/B_1 + l_2^3/(3 B_2) + l_2/G_2
 ///
-/// the guides' forces R obey [1/g_o + f_oo, f_io; f_io, 1/g_i + f_ii] R = the rigid displacements
-/// of their nodes. A guide of infinite stiffness holds, one of 0 is none. `side` is -1 at the end
-/// that faces the loaded end of the screw, +1 at the other; r the radius that rotations are scaled
-/// by.
+/// the guides' forces R obey [1/g_o + f_oo, f_io; f_io, 1/g_i + f_ii] R = the rigid displacements of their nodes. A
+/// guide of infinite stiffness holds, one of stiffness 0 is absent. `side` is -1 at the end that faces the loaded end
+/// of the screw, +1 at the other; r the radius that rotations are scaled by.
 template <class Real>
 [[gnu::always_inline]] inline RollerEnd<Real> roller_end(const RollerLength<Real>& run_out,
                                                          const RollerLength<Real>& end, const Real& outer_guide,
@@ -184,10 +183,10 @@ template <class Real>
 /// A roller between and beyond its contacts.
 template <class Real>
 struct RollerChain {
-  RollerBeam<Real> thread;  ///< To the next tooth.
-  RollerBeam<Real> tooth;   ///< Between the two contacts of a tooth, where they lie apart.
+  RollerBeam<Real> thread;  ///< Beam to the next tooth.
+  RollerBeam<Real> tooth;   ///< Beam between the two contacts of a tooth, if they lie apart.
   RollerEnd<Real> ends[2];
-  Real bending_support;  ///< Infinite where v = theta = 0 everywhere, else 0.
+  Real bending_support;  ///< Infinite if v = theta = 0 everywhere, else 0.
 };
 
 template <class Real>
@@ -216,19 +215,19 @@ template <class Real>
           select(n.rigid_bending > 0.0, Real(__builtin_inf()), Real(0.0))};
 }
 
-/// Freedoms of a nut node are u, v and r theta, r the radius that rotations are scaled by.
+/// Stiffness between two contacts of a nut, whose freedoms are u, v and r theta, r the radius that rotations are scaled
+/// by.
 template <class Real>
 struct NutSegment {
-  /// Stiffness of what lies between two contacts, over the first and the second node: upper
-  /// triangles row by row, and the full coupling [N/m].
+  /// Stiffness over the first and the second node: upper triangles row by row, and the full coupling [N/m].
   Real first[6] = {};
   Real coupling[9] = {};
   Real second[6] = {};
-  /// The same over what deforms it: (q_2 - q_1, (q_1 + q_2)/2), upper triangle row by row.
+  /// Stiffness over the deformations (q_2 - q_1, (q_1 + q_2)/2), upper triangle row by row.
   Real deformation[21] = {};
 };
 
-/// What else holds a contact's node.
+/// Other supports of a contact's node.
 template <class Real>
 struct NutSupport {
   Real stiffness[6] = {};  ///< Upper triangle row by row; infinite: held [N/m].
@@ -239,7 +238,7 @@ struct ChainSector {
   enum class Kind {
     bars,             ///< Screw u; nut u; roller u, v, theta.
     shell,            ///< Nut u, v, theta.
-    apart_nut_first,  ///< As well a roller node for each contact, along x that of the nut first.
+    apart_nut_first,  ///< Shell with a roller node for each contact, along x that of the nut first.
     apart_screw_first,
   };
 
@@ -248,15 +247,15 @@ struct ChainSector {
   SectorNumbers<double> numbers;
   RollerChain<double> roller{};
   double nut_rotation_part = 0.0;                ///< Coefficient of the nut's r theta in its approach.
-  PerInterface<std::vector<double>> compliance;  ///< In series; bars: empty for zeros.
+  PerInterface<std::vector<double>> compliance;  ///< Compliance in series; bars: empty for zeros.
   PerInterface<std::vector<double>> gaps;
 
-  std::vector<double> nut;     ///< Bars: to the next contact [N/m].
-  std::vector<double> ground;  ///< Bars: to the thrust section; infinite: held [N/m].
+  std::vector<double> nut;     ///< Bars: stiffness to the next contact [N/m].
+  std::vector<double> ground;  ///< Bars: stiffness to the thrust section; infinite: held [N/m].
 
-  std::vector<NutSegment<double>> segments;  ///< Shell: what lies between contacts, each kind once.
-  std::vector<int> segment_of;               ///< Shell: to the next contact.
-  std::vector<NutSupport<double>> supports;  ///< Shell: of each contact.
+  std::vector<NutSegment<double>> segments;  ///< Shell: segments between contacts, each kind once.
+  std::vector<int> segment_of;               ///< Shell: segment to the next contact.
+  std::vector<NutSupport<double>> supports;  ///< Shell: support of each contact.
 };
 
 }  // namespace prs

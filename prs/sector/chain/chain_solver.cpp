@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-/// Numbers that the kernel's workspace holds for a contact.
+/// Number of values per contact in the kernel's workspace.
 std::size_t station_numbers(ChainSector::Kind kind) {
   using enum ChainSector::Kind;
   switch (kind) {
@@ -24,7 +24,7 @@ std::size_t station_numbers(ChainSector::Kind kind) {
   return 0;
 }
 
-/// Stations with two roller nodes a tooth are compiled for the baseline alone.
+/// Instruction set: stations with two roller nodes per tooth are compiled for the baseline only.
 InstructionSet instructions_for(ChainSector::Kind kind) {
   using enum ChainSector::Kind;
   return kind == bars || kind == shell ? InstructionSet::scalar : InstructionSet::baseline;

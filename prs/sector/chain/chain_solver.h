@@ -11,7 +11,7 @@ namespace prs {
 /// Memory for a kernel, aligned for the widest batch; grows, never shrinks.
 class Workspace {
  public:
-  /// At least `numbers` numbers.
+  /// Returns memory for at least `numbers` numbers.
   double* reserve(std::size_t numbers) {
     if (numbers > size_) {
       memory_.reset(static_cast<double*>(::operator new(numbers * sizeof(double), kAlignment)));
@@ -29,10 +29,9 @@ class Workspace {
   std::size_t size_ = 0;
 };
 
-/// Solves load after load on one sector, bars or refined, station by station along its threads:
-/// the same model, start, convergence and results as `SectorSolver`, to 1e-10, several times
-/// faster. Everything between contacts is condensed exactly. A solve allocates nothing once its
-/// result has its size. Guides must have no clearance.
+/// Solves load after load on one sector, bars or refined, station by station along its threads: the same model, start,
+/// convergence and results as `SectorSolver`, to 1e-10, several times faster. All that lies between contacts is
+/// condensed exactly. A solve allocates nothing once its result has its size. Guides must have no clearance.
 class ChainSolver {
  public:
   explicit ChainSolver(const SectorModel& model);
@@ -44,7 +43,7 @@ class ChainSolver {
   /// Equilibrium under the axial force on the whole mechanism [N], > 0.
   LoadDistribution solve(double axial_force);
 
-  /// The same into a result that keeps its memory.
+  /// Solves into a result that keeps its memory.
   void solve(double axial_force, LoadDistribution& result);
 
  private:
@@ -57,8 +56,8 @@ class ChainSolver {
 /// in extended precision, all else in closed form.
 ChainSector condense(const SectorModel& model);
 
-/// The chain, and SectorSolver where guides have a clearance, where the chain doesn't converge or its
-/// tangent has too few digits: the speed of the one, the verdict of the other.
+/// Solver by the chain, or by SectorSolver if guides have a clearance, the chain does not converge or its tangent has
+/// too few digits: as fast as the first, as reliable as the second.
 class FallbackSolver {
  public:
   explicit FallbackSolver(SectorModel model) : model_(std::move(model)) {
@@ -74,8 +73,8 @@ class FallbackSolver {
     return sparse_->solve(axial_force);
   }
 
-  /// Whether a chain's result needs no other solver. Without a tangent stiffness, which some chains
-  /// are not asked for, the displacement must make sense.
+  /// Whether a chain's result needs no other solver. Without a tangent stiffness, which is optional, the displacement
+  /// must be plausible.
   static bool complete(const LoadDistribution& chain, bool with_tangent = true) {
     return chain.solve.converged() &&
            (chain.tangent_stiffness.has_value() || (!with_tangent && chain.axial_displacement > 0.0));

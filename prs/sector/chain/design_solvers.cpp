@@ -10,14 +10,14 @@
 namespace prs {
 namespace {
 
-/// Columns that are filled before a call of the kernel.
+/// Number of designs whose columns are filled before a call of the kernel.
 constexpr std::size_t kChunk = 256;
 
 bool is_without(const std::vector<double>& gaps) {
   return std::ranges::all_of(gaps, [](double gap) { return gap == 0.0; });
 }
 
-/// Columns of the sectors of a kind; those of zeros are empty.
+/// Fills the columns of sectors of one kind; columns of zeros are empty.
 void set_columns(BarDesigns& d, std::span<const SectorModel> sectors, std::span<const double> axial_forces,
                  std::span<const std::size_t> order) {
   const std::size_t designs = order.size();
@@ -52,7 +52,7 @@ void set_columns(BarDesigns& d, std::span<const SectorModel> sectors, std::span<
 /// Designs of one call of the kernel.
 constexpr std::size_t kMostAtOnce = 256;
 
-/// What sectors side by side must have in common, in an order.
+/// Properties that sectors side by side must share, as a sortable tuple.
 auto kind(const SectorModel& sector) {
   const RefinedBodies& bodies = sector.bodies;
   const RefinedEffects& e = bodies.effects;

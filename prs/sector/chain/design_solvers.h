@@ -20,10 +20,11 @@ class BarDesignSolver {
   /// Options of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
   /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
-  bool tangent_stiffness = true;  ///< Whether results have it; a sweep of the threads less without.
+  /// Whether to compute the tangent stiffness, which costs one more sweep of the threads.
+  bool tangent_stiffness = true;
 
-  /// Designs of any mixture of thread counts, each under its axial force on the whole mechanism
-  /// [N]; the results of refined ones stay.
+  /// Solves designs with any mixture of thread counts, each under its axial force on the whole mechanism [N]; results
+  /// of refined designs are not touched.
   void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
              std::span<LoadDistribution> results);
 
@@ -43,15 +44,14 @@ class RefinedDesignSolver {
  public:
   explicit RefinedDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
 
-  /// As of BarDesignSolver.
+  /// Options of Newton's method, see BarDesignSolver.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
   bool tangent_stiffness = true;
 
-  /// Whether a sector has a place here: one with a nut of shells whose roller's contacts stand
-  /// opposite each other.
+  /// Whether a sector can be solved here: one with a nut of shells whose roller's contacts stand opposite each other.
   static bool takes(const SectorModel& s) { return s.is_refined && s.bodies.has_shell() && !s.contacts_apart(); }
 
-  /// Those of the designs that it takes; the results of others stay.
+  /// Solves the designs that `takes` allows; results of others are not touched.
   void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
              std::span<LoadDistribution> results);
 

@@ -7,12 +7,12 @@
 /// A nut's shells condensed to its contacts, for a number or a batch of numbers.
 namespace prs {
 
-/// What does not move in a nut.
+/// Held freedoms of a nut.
 struct NutHolds {
   int thrust = 0;               ///< Node that u is held at.
-  bool radial = false;          ///< v = 0 everywhere.
-  bool turning = false;         ///< theta = 0 everywhere.
-  bool thrust_turning = false;  ///< theta = 0 at the thrust section.
+  bool radial = false;          ///< Whether v = 0 everywhere.
+  bool turning = false;         ///< Whether theta = 0 everywhere.
+  bool thrust_turning = false;  ///< Whether theta = 0 at the thrust section.
 
   /// Whether freedom 0 .. 2 of a node is held.
   bool operator()(int node, int freedom) const {
@@ -21,8 +21,8 @@ struct NutHolds {
   }
 };
 
-/// Sets the segment of each interval between contacts, numbered in the order in which they come;
-/// intervals without a node between their contacts share those of equal shells.
+/// Sets the segment of each interval between contacts, numbered in order of appearance; intervals without a node
+/// between their contacts share the segments of equal shells.
 inline void set_segments_of(const NutShape& shape, std::vector<int>& segment_of) {
   segment_of.clear();
   const auto shell_of = [&](std::size_t interval) {
@@ -37,11 +37,11 @@ inline void set_segments_of(const NutShape& shape, std::vector<int>& segment_of)
   }
 }
 
-/// Differences of stiff neighbours are what is left after condensation: wide numbers.
+/// Condensation leaves differences of stiff neighbours: it uses wide numbers.
 template <class Real>
 class NutCondensation {
  public:
-  /// `radius`: that rotations are scaled by.
+  /// `radius`: the radius that rotations are scaled by.
   NutCondensation(const NutShape& shape, const NutHolds& holds, const fe::ShellBlocks<Real>* shells, const Real& radius)
       : shape_(shape), holds_(holds), shells_(shells), inverse_radius_(1.0 / radius) {}
 
@@ -85,10 +85,10 @@ class NutCondensation {
     return b;
   }
 
-  /// Adds what lies between a node, whose freedoms begin at `first`, and the next one.
+  /// Adds the shell between a node, whose freedoms begin at `first`, and the next one.
   template <int N>
   static void add_nodal(const fe::ShellBlocks<Real>& b, int first, Symmetric<N>& k) {
-    // Over differences d and means m: stiffness of d, d with m, and m.
+    // Stiffness over differences d and means m: d with d, d with m, and m with m.
     const Wide d[3][3] = {{b.uu, Real(0.0), b.ut}, {Real(0.0), b.dd, Real(0.0)}, {b.ut, Real(0.0), b.tt}};
     const Wide both[3][3] = {{Real(0.0), b.uv, Real(0.0)}, {Real(0.0), Real(0.0), b.dm}, {Real(0.0), b.tv, Real(0.0)}};
     const Wide m[3] = {Real(0.0), b.vv, b.mm};
@@ -106,8 +106,7 @@ class NutCondensation {
       }
   }
 
-  /// Eliminates a node, whose freedoms begin at `first`; one that nothing stiffens has nothing to
-  /// pass on, nor has one that is held.
+  /// Eliminates a node, whose freedoms begin at `first`; one without stiffness, or a held one, passes nothing on.
   template <int N>
   void eliminate(int node, int first, Symmetric<N>& k) const {
     using simd::select;
@@ -127,7 +126,7 @@ class NutCondensation {
     }
   }
 
-  /// Stiffness at node `to` of all between it and the nut's end, whose node is `from`.
+  /// Stiffness at node `to` of the nut between it and the nut's end, whose node is `from`.
   Symmetric<3> from_end(int from, int to, int step) const {
     Symmetric<3> end{};
     for (int node = from; node != to; node += step) {
@@ -143,7 +142,7 @@ class NutCondensation {
     return end;
   }
 
-  /// Between two contacts with nodes between them.
+  /// Stiffness of the shells between two contacts with nodes between them.
   Symmetric<6> between(int from, int to) const {
     Symmetric<6> piece{};
     add_nodal(element(from), 0, piece);

@@ -35,7 +35,7 @@ struct RefinedBatch {
     for (Real** part : {&sections, &outer_radius, &root}) take(*part, nodes);
   }
 
-  /// Reads one sector a lane.
+  /// Reads one sector per lane.
   void read(const RefinedDesigns& designs, const LaneRange& range) {
     const RefinedSector* lanes[kLanes<Real>];
     for (std::size_t l = 0; l < kLanes<Real>; ++l)

@@ -7,32 +7,32 @@
 
 namespace prs {
 
-/// Addresses of the numbers of a refined sector.
+/// Pointers to the numbers of a refined sector.
 struct RefinedSector {
   const SectorNumbers<double>* numbers;
   const RefinedNumbers<double>* bodies;
-  const double *sections, *outer_radius, *root;  ///< As in NutLine and NutBore.
+  const double *sections, *outer_radius, *root;  ///< Members of NutLine and NutBore.
   PerInterface<const double*> gaps;              ///< Gaps of each thread.
 };
 
 /// Refined sectors with nuts of one shape, each under an axial force.
 struct RefinedDesigns {
   std::span<const RefinedSector> sectors;
-  std::span<const double> axial_forces;  ///< On the whole mechanism [N], > 0.
+  std::span<const double> axial_forces;  ///< Forces on the whole mechanism [N], > 0.
   NutShape shape;
-  std::span<const int> segment_of;  ///< As in ChainSector.
+  std::span<const int> segment_of;  ///< Indices as in ChainSector.
 };
 
-/// Solves refined sectors, each in a lane of its own. The workspace holds `kNumbersOfContact` for
-/// each contact, `kNumbersOfNode` for each node of the nut's line, and number of a batch.
+/// Solves refined sectors, each in a lane of its own. The workspace holds `kNumbersOfContact` numbers for each contact
+/// and `kNumbersOfNode` for each node of the nut's line, times the size of a batch.
 struct RefinedKernel {
   using Station = ShellStation<double, ChainSector::Kind::shell>;
-  /// Record, segment, support, compliance and gap at screw and nut.
+  /// Numbers for record, segment, support, compliance and gap at screw and nut.
   static constexpr std::size_t kNumbersOfContact =
       (sizeof(fe::ChainRecord<double, Station>) + sizeof(NutSegment<double>) + sizeof(NutSupport<double>)) /
           sizeof(double) +
       4;
-  /// Section, outer and root radius, shell.
+  /// Numbers for section, outer and root radius, shell.
   static constexpr std::size_t kNumbersOfNode = 3 + sizeof(fe::ShellBlocks<double>) / sizeof(double);
 
   template <class Arch>

@@ -20,8 +20,7 @@ using Half = xsimd::batch<double, simd::Baseline>;
   return from_lanes<Half>(lanes);
 }
 
-// Types of this file's own, so that what is instantiated for one instruction set stays apart from
-// the same for another.
+// Types of this file's own, so that instances for one instruction set stay apart from those for another.
 template <class Real>
 struct Bars : BarStation<Real> {};
 struct FoldedBars : BarStation<Half> {
@@ -57,7 +56,7 @@ struct Batch {
     compliance[1] = compliance[0] + contacts;
   }
 
-  /// What stations of bars take from the numbers.
+  /// Sets the members that stations of bars take from the numbers.
   void set_bars(int stations) {
     station.stations = stations;
     station.screw = numbers.screw_rigidity / numbers.pitch;
@@ -69,7 +68,7 @@ struct Batch {
     station.ground = ground;
   }
 
-  /// gap(i, k) are the initial gaps.
+  /// gap(i, k): initial gaps.
   template <class Gap>
   void solve(int contacts, const Gap& gap, std::span<const double> forces, const LaneRange& range,
              const fe::NewtonOptions& options, ThreadLoads& results) {
@@ -181,7 +180,7 @@ void solve_one(const ChainSector& sector, std::span<const double> axial_force, c
   RollerChain<Half>& roller = batch.station.roller;
   roller.thread.slope = both(sector.roller.thread.slope, -sector.roller.thread.slope);
   roller.ends[0].vt = both(sector.roller.ends[0].vt, sector.roller.ends[1].vt);
-  roller.ends[1] = {Half(0.0), Half(0.0), Half(0.0)};  // none in the middle
+  roller.ends[1] = {Half(0.0), Half(0.0), Half(0.0)};  // no end in the middle
   for (int k = 0; k < n / 2; ++k) {
     batch.nut[k] = at(sector.nut, k, n - 2 - k);
     batch.ground[k] = at(sector.ground, k, n - 1 - k);
@@ -201,7 +200,7 @@ void SectorKernel::operator()(Arch, bool scalar, const BarDesigns& designs, cons
     solve_designs<xsimd::batch<double, Arch>>(designs, options, results, workspace);
 }
 
-/// Stations with two roller nodes a tooth are compiled once, which takes long.
+/// Stations with two roller nodes per tooth are compiled only once, as it takes long.
 template <class Arch>
 void SectorKernel::operator()(Arch, bool, const ChainSector& sector, double axial_force,
                               const fe::NewtonOptions& options, ThreadLoads& results, double* workspace) const {

@@ -15,7 +15,7 @@ Real status_of(const fe::ChainSummary<Real>& s) {
                        select(s.search_failed, code(line_search_failed), code(iteration_limit))));
 }
 
-/// Thread by thread of one lane after the other: records are read in order.
+/// Copies thread by thread, one lane after the other: records are read in order.
 template <class Real, class Record>
 void deliver_normal_loads(int contacts, const Record* records, const LaneRange& range, ThreadLoads& results) {
   auto& [screw, nut] = results.normal_load;
@@ -29,8 +29,8 @@ void deliver_normal_loads(int contacts, const Record* records, const LaneRange& 
   }
 }
 
-/// What the last solve left in the records, into the results. kFolded: one solve, whose second lane
-/// holds the second half of the threads, the last one first.
+/// Copies the last solve from the records to the results. kFolded: one solve, whose second lane holds the second half
+/// of the threads, the last one first.
 template <bool kFolded, class Real, class Law, class Record>
 void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts, const Record* records,
              const LaneRange& range, ThreadLoads& results) {
@@ -58,11 +58,11 @@ void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts
   range.store(summary.energy, results.energy);
 }
 
-/// How many numbers a contact and lane take in a kernel's workspace: record, nut, ground, two compliances.
+/// Number of values per contact and lane in a kernel's workspace: record, nut, ground, two compliances.
 template <class Station>
 inline constexpr std::size_t kStationNumbers = sizeof(fe::ChainRecord<double, Station>) / sizeof(double) + 4;
 
-/// Rigid bodies that share the load equally, every thread closed. gap(i, k) are the initial gaps.
+/// Start: rigid bodies that share the load equally, every thread closed. gap(i, k): initial gaps.
 template <class Real, class Station, class Gap>
 void start_from_rest(const SectorNumbers<Real>& sector, int contacts, int stations,
                      fe::ChainRecord<Real, Station>* records, const Real& force, const Gap& gap) {
@@ -84,7 +84,7 @@ void start_from_rest(const SectorNumbers<Real>& sector, int contacts, int statio
   }
 }
 
-/// Equilibrium of one sector a lane under the axial force on its mechanism.
+/// Equilibrium of one sector per lane under the axial force on its mechanism.
 template <class Real, class Station, class Law, class Gap>
 void solve_sectors(const SectorNumbers<Real>& sector, int contacts, const Station& station, const Law& law,
                    fe::ChainRecord<Real, Station>* records, const Real& axial_force, const Gap& gap,

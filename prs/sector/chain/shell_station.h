@@ -5,8 +5,8 @@
 
 namespace prs {
 
-/// One tooth of a refined sector: screw u; nut u, v, r theta; roller u, v, r theta, at two nodes
-/// where the contacts of a tooth lie apart.
+/// One tooth of a refined sector: screw u; nut u, v, r theta; roller u, v, r theta, at two nodes if the contacts of a
+/// tooth lie apart.
 template <class Real, ChainSector::Kind kKind>
 struct ShellStation {
   static constexpr bool kApart = kKind != ChainSector::Kind::shell;
@@ -18,7 +18,7 @@ struct ShellStation {
     return i >= kLast && j < U + 3 && (i == kLast) == (j == U);
   }
 
-  /// w of screw and nut: s cos(psi) is coefficient 0, sin(psi) 1, that of the nut's rotation 2.
+  /// w of screw and nut: s cos(psi) is coefficient 0, sin(psi) 1, the factor of the nut's rotation 2.
   template <int C>
   static constexpr auto form() {
     constexpr int kSecond = kApart ? kLast : U;
@@ -44,7 +44,7 @@ struct ShellStation {
   const int* segment_of;  ///< Segment of the interval to the next station.
   const NutSupport<Real>* supports;
 
-  /// What stations take from a sector's numbers.
+  /// Sets the members that stations take from a sector's numbers.
   void set_parts(const SectorNumbers<Real>& numbers, const Real& nut_rotation_part) {
     screw = numbers.screw_rigidity / numbers.pitch;
     for (const Interface i : kInterfaces) {

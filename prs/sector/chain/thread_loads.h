@@ -7,14 +7,14 @@ namespace prs {
 
 struct LoadDistribution;
 
-/// What a chain kernel writes, solve k at place k of each array. SI units.
+/// Output of a chain kernel, solve k at index k of each array. SI units.
 struct ThreadLoads {
-  std::size_t stride = 0;  ///< Threads of a solve.
+  std::size_t stride = 0;  ///< Number of threads of a solve.
   /// N of thread i of solve k at `k * stride + i`, thread 1 first [N].
   PerInterface<std::vector<double>> normal_load;
   PerInterface<std::vector<double>> approach;  ///< Hertz approach delta in the same order [m].
-  std::vector<double> axial_displacement;      ///< As in `LoadDistribution` [m].
-  /// dF/du [N/m], NaN where it is singular; empty where it is not wanted.
+  std::vector<double> axial_displacement;      ///< Displacement as in `LoadDistribution` [m].
+  /// dF/du [N/m], NaN if it is singular; empty if it is not computed.
   std::vector<double> tangent_stiffness;
   std::vector<fe::NewtonStatus> status;
   std::vector<int> iterations;  ///< Linear solves, the first included.
@@ -23,7 +23,7 @@ struct ThreadLoads {
   std::vector<double> energy;  ///< Energy of one sector [J].
 
   void resize(std::size_t solves, std::size_t threads, bool with_tangent = true);
-  /// Solve k as a LoadDistribution. Of the history only the last iteration's outcome is known.
+  /// Solve k as a LoadDistribution. Its history has only the outcome of the last iteration.
   void copy(std::size_t k, double residual_tolerance, LoadDistribution& result) const;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Rounding that a reaction of a touching node or the gap of a free one may have, over the largest.
+/// Rounding allowed in the reaction of a touching node or the gap of a free one, over the largest.
 constexpr double kRounding = 1e-10;
 constexpr int kMostChanges = 100;
 
@@ -50,7 +50,7 @@ Eigen::MatrixXd ThrustFace::flexibility(const Touching& touching) const {
 
 std::optional<ThrustFace::Touching> ThrustFace::touching_under(const Eigen::VectorXd& p, Touching guess) const {
   const Eigen::VectorXd without = coupling * p;
-  const double sense = resultants.dot(p) > 0.0 ? 1.0 : -1.0;  // the body is pushed that way
+  const double sense = resultants.dot(p) > 0.0 ? 1.0 : -1.0;  // sense in which the body is pushed
   Touching touching = std::move(guess);
   for (int change = 0; change < kMostChanges; ++change) {
     const Eigen::VectorXd s = reactions(nodes, touching, without, Eigen::RowVectorXd::Constant(1, resultants.dot(p)));
@@ -77,8 +77,7 @@ namespace {
 
 using fe::Component;
 
-/// The flank of each part that is loaded: the screw pushes the roller along the load, the roller
-/// the nut.
+/// Loaded flank of each part: the screw pushes the roller along the load, the roller the nut.
 FlankSide pushing_flank(Direction d) { return d == Direction::tension ? FlankSide::backward : FlankSide::forward; }
 FlankSide pushed_flank(Direction d) { return d == Direction::tension ? FlankSide::forward : FlankSide::backward; }
 
@@ -91,14 +90,14 @@ std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contac
   return flanks;
 }
 
-/// The flanks; with friction the same ones once more, loaded along them.
+/// The flanks; with friction once more with loads along them.
 std::vector<LoadedFlank> with_friction(const BodyGeometry& b, std::vector<LoadedFlank> flanks) {
   const std::size_t normal = flanks.size();
   for (std::size_t k = 0; b.friction && k < normal; ++k) flanks.emplace_back(flanks[k]).tangential = true;
   return flanks;
 }
 
-/// The innermost first.
+/// Nodes sorted by radius, innermost first.
 std::vector<int> by_radius(const GroovedBody& body, std::vector<int> nodes) {
   const auto radius = [&](int node) { return body.mesh.nodes[static_cast<std::size_t>(node)].x(); };
   std::sort(nodes.begin(), nodes.end(), [&](int a, int b) { return radius(a) < radius(b); });
@@ -111,7 +110,7 @@ std::vector<fe::HarmonicSupport> axial_supports(const std::vector<int>& nodes) {
   return supports;
 }
 
-/// What of a material the flexibilities depend on.
+/// Elastic constants of a material, on which alone the flexibilities depend.
 Material elastic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio, {}, {}}; }
 
 /// Axial force of each load [N].
@@ -122,7 +121,7 @@ Eigen::RowVectorXd axial_resultants(const Eigen::MatrixXd& loads) {
   return force;
 }
 
-/// A body, harmonic 0, that rests with `nodes` on a shoulder.
+/// Thrust face of a body, harmonic 0, that rests with `nodes` on a shoulder.
 ThrustFace thrust_face(const GroovedBody& body, const Material& material, const std::vector<int>& nodes) {
   fe::HarmonicBody solver(body.mesh, isotropic(material), 0, axial_supports({nodes.front()}));
   const Eigen::MatrixXd loads = patch_loads(body, 0);
@@ -166,7 +165,7 @@ std::vector<std::vector<fe::MeridianEdge>> end_sections(const GroovedBody& body)
   return sections;
 }
 
-/// What holds the roller sideways, on whole sections that stay round.
+/// Adds lateral supports of the roller, on whole sections that stay round.
 void add_guidance(const GroovedBody& body, const Guidance& guidance, std::vector<fe::HarmonicSupport>& supports,
                   std::vector<fe::HarmonicSpring>& springs) {
   const auto sections = end_sections(body);
@@ -185,13 +184,13 @@ void add_guidance(const GroovedBody& body, const Guidance& guidance, std::vector
   }
 }
 
-/// One number for each two flanks.
+/// Whether the matrix has one entry per pair of flanks.
 bool is_square(const LoadedBody& b, const MatrixCache::Matrices& m) {
   const auto flanks = static_cast<Index>(b.flanks.size());
   return have_sizes(m, {{flanks, flanks}});
 }
 
-/// Held where it starts.
+/// Flexibility of a body that is held at its start.
 MatrixCache::Matrices held_at_start(const LoadedBody& b) {
   const GroovedBody body = b.meshed();
   fe::HarmonicBody solver(body.mesh, isotropic(b.material), 0, axial_supports(nodes_of(body.section(b.shape.start))));
@@ -268,7 +267,7 @@ LoadedBody loaded_screw(const BodyGeometry& b, Direction direction, const Flexib
   shape.groove = g;
   shape.ridge = first - g.position(side, 0.0);
   const double last = shape.ridge + (b.contacts - 1) * g.pitch;
-  // The first ridge must be whole: a shorter free length is lengthened to half a pitch before it.
+  // The first ridge must be whole: before it the body has at least half a pitch of length.
   shape.start = std::min(0.0, shape.ridge - 0.5 * g.pitch);
   if (b.endless_screw) {
     shape.end = first + (b.contacts + 2) * g.pitch;
@@ -307,7 +306,7 @@ std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut) {
 
 namespace {
 
-/// Harmonic 0; the last matrix says whether the section is a free face, which can lift off, or one
+/// Flexibilities of harmonic 0; the last matrix says whether the section is a free face, which can lift off, or one
 /// inside, which is held both ways.
 MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
   const GroovedBody body = nut.body.meshed();
@@ -332,7 +331,7 @@ HeldNut held_nut(const BodyGeometry& b, Direction direction, double position, co
   GroovedShape shape;
   shape.groove = g;
   shape.ridge = position - g.position(side, 0.0);
-  // Contacts at the very ends of the nut get the thread they need.
+  // The nut is extended by the thread that contacts at its very ends need.
   shape.start = std::min(0.0, position - 0.3 * g.pitch);
   shape.end = std::max(nut.length, position + (b.contacts - 1 + 0.3) * g.pitch);
   shape.far_radius = 0.5 * nut.outer_diameter;
@@ -396,7 +395,7 @@ PRS_MEMBERS(GuidedRoller, body, guidance, centred)
 
 bool is_square_of(const GuidedRoller& roller, const MatrixCache::Matrices& m) { return is_square(roller.body, m); }
 
-/// Flexibility at the contacts, behind them at `guides` of the end sections.
+/// Flexibility at the contacts, and after them at `guides` of the end sections.
 MatrixCache::Matrices bent_with(const GuidedRoller& roller, Index guides) {
   const GroovedBody body = roller.body.meshed();
   std::vector<fe::HarmonicSupport> supports;
@@ -421,7 +420,7 @@ bool has_guides(const GuidedRoller& roller, const MatrixCache::Matrices& m) {
   return have_sizes(m, {{size, size}});
 }
 
-/// Guides with a clearance: springs of the stiffness E d of an end hold the roller in their place.
+/// Sets guides with a clearance: springs of the stiffness E d of an end hold the roller in their place.
 void set_loose_guides(Flexibility& f, const Structure::Roller& roller, const LoadedBody& body, bool centred,
                       MatrixCache& cache) {
   const RingGuide ring{roller.guidance.ring_stiffness, roller.guidance.clearance};
@@ -445,7 +444,7 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction, const
   const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
   const bool centred = b.roller_contacts == ModelOptions::RollerContacts::opposite;
   LoadedBody body{{}, {}, elastic(b.materials.roller), options.mesh};
-  // Of a ridge at 0; those of the screw first.
+  // Types for a ridge at 0; those of the screw first.
   const auto types_at = [&](Interface i) {
     return with_friction(
         b, {{0.0, i == Interface::screw ? screw_side : nut_side, b.patches[i], options.mesh.patch_cells}});
@@ -481,25 +480,25 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction, const
 
 namespace {
 
-/// Harmonics of a nut that reach beyond its rollers.
+/// Highest harmonic computed on the whole nut, beyond its rollers.
 constexpr int kWholeNut = 6;
 
-/// All that the harmonics from 2 on depend on.
+/// All inputs of the harmonics from 2 on.
 struct UnlikeLoads {
-  HeldNut body;  ///< Or a screw, held where it starts.
+  HeldNut body;  ///< Body, or a screw, which is held at its start.
   Teeth teeth;
   int whole = 1;  ///< Highest harmonic on the whole body.
 };
 PRS_MEMBERS(UnlikeLoads, body, teeth, whole)
 
-/// All that harmonic 1 depends on.
+/// All inputs of harmonic 1.
 struct ClampedBody {
   HeldNut body;
   std::vector<double> sections;
 };
 PRS_MEMBERS(ClampedBody, body, sections)
 
-/// Sums of harmonics by the mode that sees them.
+/// Sums of harmonics, one for each mode.
 class Modes {
  public:
   Modes(int rollers, int threads)
@@ -519,7 +518,7 @@ class Modes {
   std::vector<Eigen::MatrixXd> sums_;
 };
 
-/// A block's response at every thread.
+/// Response of a block at every thread.
 Eigen::MatrixXd along_threads(const BlockResponse& r, int threads) {
   Eigen::MatrixXd g = Eigen::MatrixXd::Zero(threads, threads);
   for (int d = -r.reach; d <= r.reach; ++d)
@@ -528,7 +527,7 @@ Eigen::MatrixXd along_threads(const BlockResponse& r, int threads) {
   return 0.5 * (g + g.transpose());
 }
 
-/// What is left of a mode beyond the harmonic `last`, two combs of period N.
+/// Contribution to a mode beyond the harmonic `last`, two combs of period N.
 double left_out(const HertzPatch& patch, const Material& material, double radius, int mode, int rollers, int last) {
   double sum = 0.0;
   for (const int first : {mode, rollers - mode}) {
@@ -539,8 +538,8 @@ double left_out(const HertzPatch& patch, const Material& material, double radius
   return sum;
 }
 
-/// A moment of 1 N m on a section, in harmonic 1, which turns its slope; also the weights of its
-/// mean slope, by axial displacements -r y'.
+/// Nodal loads of a moment of 1 N m on a section, in harmonic 1, which turns its slope; also the weights of its mean
+/// slope, by axial displacements -r y'.
 Eigen::VectorXd turning_moment(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
   for (const fe::MeridianEdge& e : section)
@@ -606,7 +605,7 @@ MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
   return matrices;
 }
 
-/// One for each mode but that of equal loads.
+/// Whether there is one matrix for each mode except that of equal loads.
 bool are_modes(const UnlikeLoads& given, const MatrixCache::Matrices& m) {
   const Index threads = given.teeth.contacts;
   return m.size() == static_cast<std::size_t>(given.teeth.first / 2) &&
@@ -630,8 +629,8 @@ FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& se
   return f;
 }
 
-/// Displacement across the axis and slope at the distance `at` from the clamped end of a beam by a
-/// unit force and a unit moment at the distance `from`.
+/// Lateral displacement and slope at the distance `at` from the clamped end of a beam by a unit force and a unit moment
+/// at the distance `from`.
 Eigen::Matrix2d cantilever(const RollerSection<double>& beam, double at, double from) {
   const double s = std::min(at, from);
   Eigen::Matrix2d f;
@@ -641,7 +640,7 @@ Eigen::Matrix2d cantilever(const RollerSection<double>& beam, double at, double 
   return f;
 }
 
-/// Moves loads on the last section of a body to where they act, so far behind it on a beam.
+/// Moves loads on the last section of a body to their places behind it, on a beam.
 void lengthen(FlexibilityAround& f, const RollerSection<double>& beam, const std::vector<double>& behind) {
   const auto sections = static_cast<Index>(behind.size());
   Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(2 * sections, 2 * sections);

@@ -10,7 +10,7 @@ namespace prs {
 
 /// Response of a long body to one loaded ridge, harmonic by harmonic.
 struct BlockResponse {
-  int reach = 0;  ///< Ridges to each side.
+  int reach = 0;  ///< Number of ridges to each side.
   /// Entry d + `reach`: displacement at the contacts of ridge d (rows) by the contacts of ridge 0.
   std::vector<Eigen::MatrixXd> kernel;
 };
@@ -29,14 +29,13 @@ struct Teeth {
   FlexibilityOptions options;
 };
 
-/// Harmonic n >= 2 of unit forces at theta = 0 on the given types of contacts on one ridge in a
-/// block of equal ridges; `far_radius` as in GroovedShape. Builds a new mesh for each `reach`, kept
-/// between calls with the same one.
+/// Harmonic n >= 2 of unit forces at theta = 0 on the given types of contacts on one ridge in a block of equal ridges;
+/// `far_radius` as in GroovedShape. Makes a new mesh for each `reach` and keeps it for calls with the same one.
 class BlockSolver {
  public:
   explicit BlockSolver(const Teeth& teeth) : teeth_(teeth) {}
   BlockResponse solve(int harmonic, int reach);
-  /// Ridges that the harmonic reaches to each side, at most all but one of the contacts.
+  /// Number of ridges over which the harmonic decays to each side, at most all but one of the contacts.
   int reach(int harmonic) const;
 
  private:
@@ -54,7 +53,7 @@ class BlockSolver {
 /// where the flexibilities G hold against one node of the face and a are the axial resultants of
 /// unit loads. Nodes that touch have u = 0. [m/N]
 struct ThrustFace {
-  Eigen::MatrixXd nodes;       ///< G_nn; the row and column of the reference node are zero.
+  Eigen::MatrixXd nodes;       ///< G_nn; row and column of the reference node are zero.
   Eigen::MatrixXd coupling;    ///< G_nl
   Eigen::MatrixXd loads;       ///< G_ll
   Eigen::VectorXd resultants;  ///< a [-]
@@ -63,7 +62,7 @@ struct ThrustFace {
   using Touching = std::vector<Eigen::Index>;
 
   Touching all() const;
-  /// 1 N on each of the first `contacts` loads.
+  /// Load vector of 1 N on each of the first `contacts` loads.
   Eigen::VectorXd equal_loads(int contacts) const {
     Eigen::VectorXd p = Eigen::VectorXd::Zero(loads.rows());
     p.head(contacts).setOnes();
@@ -71,48 +70,47 @@ struct ThrustFace {
   }
   /// Flexibility at the loads while the given nodes touch.
   Eigen::MatrixXd flexibility(const Touching& touching) const;
-  /// The nodes that touch under loads P if the shoulder can only push, found from a first guess by
-  /// letting go of nodes that pull and taking up those that would sink in. The shoulder pushes
-  /// against a'P. Nothing where that does not converge.
+  /// Nodes that touch under loads P if the shoulder can only push, found from a first guess by removing nodes that pull
+  /// and adding those that would penetrate. The shoulder pushes against a'P. None if that does not converge.
   std::optional<Touching> touching_under(const Eigen::VectorXd& loads, Touching guess) const;
 };
 
-/// Displacements of one body at its contacts under unit normal forces: pressure-weighted means
-/// along the inward normal, against rigid motions as said at each body, without the half-space part
-/// of a contact's own patch, which the exact Hertz law carries. [m/N], symmetric.
+/// Displacements of one body at its contacts under unit normal forces: pressure-weighted means along the inward normal,
+/// relative to the rigid motions stated at each body, without the half-space part of a contact's own patch, which is in
+/// the exact Hertz law. [m/N], symmetric.
 struct Flexibility {
   Eigen::MatrixXd matrix;
-  double half_space = 0.0;         ///< Taken from each diagonal term [m/N]; roller: screw side.
-  std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder.
+  double half_space = 0.0;         ///< Subtracted from each diagonal term [m/N]; roller: screw side.
+  std::optional<ThrustFace> face;  ///< Face of a nut that can lift off its shoulder.
   Eigen::MatrixXd bent;            ///< Part of the matrix from the bending of a roller.
 
-  /// Guides with a clearance, in whose place springs hold the ends of the roller.
+  /// Guides with a clearance, which springs replace in holding the ends of the roller.
   struct Guides {
     RingGuide ring;
     double held_by = 0.0;      ///< Stiffness of a spring [N/m].
     double end_length = 0.0;   ///< [m]
-    Eigen::MatrixXd coupling;  ///< Displacements at the contacts by unit forces outwards at the guides [m/N].
-    Eigen::MatrixXd between;   ///< Displacements of the guides outwards by these [m/N].
+    Eigen::MatrixXd coupling;  ///< Displacements at the contacts by unit outward forces at the guides [m/N].
+    Eigen::MatrixXd between;   ///< Outward displacements of the guides by such forces [m/N].
   };
   std::optional<Guides> guides;
 };
 
-/// Adds what the harmonics that die out along a body leave. Rows and columns of the matrix are the
-/// types in blocks of `contacts`. With `centred`, contacts of different types lie at the same axial
-/// position, and not half a pitch apart as on the ridge.
+/// Adds the contribution of harmonics that decay along a body. Rows and columns of the matrix are the types in blocks
+/// of `contacts`. With `centred`, contacts of different types lie at the same axial position, not half a pitch apart as
+/// on the ridge.
 void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, MatrixCache& cache);
 
-/// What the flexibilities of the three bodies depend on.
+/// Inputs of the flexibilities of the three bodies.
 struct BodyGeometry {
   PerPart<Groove> grooves;
   PerPart<Material> materials;
   PerInterface<HertzPatch> patches;
   Structure structure;
   int rollers = 1;
-  int contacts = 1;  ///< At each interface of a roller.
+  int contacts = 1;  ///< Number at each interface of a roller.
   ModelOptions::RollerContacts roller_contacts = ModelOptions::RollerContacts::opposite;
-  /// An inverted screw is threaded where its rollers are and plain, at the pitch diameter, before
-  /// them; the thread of a standard one goes on at both sides.
+  /// Whether the screw is threaded beyond its rollers, as a standard one is; an inverted one is plain before them, at
+  /// the pitch diameter.
   bool endless_screw = false;
   /// Whether rows and columns of unit forces along the flanks follow those of the normal ones, for
   /// the contacts of each interface.
@@ -121,66 +119,63 @@ struct BodyGeometry {
   double pitch() const { return grooves.roller.pitch; }
 };
 
-/// The ridges of the three bodies: flanks at the angles of the contact laws, heights as the
-/// mechanism gives them or by default. The mechanism must have its pitch diameters.
+/// Ridges of the three bodies: flanks at the angles of the contact laws, heights from the mechanism or by default. The
+/// mechanism must have its pitch diameters.
 BodyGeometry body_geometry(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
                            const PerInterface<ContactLaw>& laws, const PerInterface<HertzPatch>& patches,
                            Direction direction, const ModelOptions& model = {});
 
-/// Screw: harmonics 0, N, 2 N, .. of N rollers, all of which push alike. Displacements against the
-/// loaded section, `free_length` before the first contact, which stays plane and slides radially.
-/// It ends half a pitch behind its last ridge, an endless one three pitches behind its last
-/// contact.
+/// Flexibility of the screw: harmonics 0, N, 2 N, .. of N rollers, all of which push equally. Displacements are against
+/// the loaded section, `free_length` before the first contact, which stays plane and slides radially. The screw ends
+/// half a pitch behind its last ridge, an endless one three pitches behind its last contact.
 Flexibility screw_flexibility(const BodyGeometry& body, Direction direction, const FlexibilityOptions& options,
                               MatrixCache& cache = shared_matrix_cache());
 
-/// Nut: the same harmonics. Displacements against the thrust face, on which it is held axially: the
-/// shoulder on the face of a flange that ends at the thrust section, else the section. `face` lets
-/// go of what does not push under given loads.
+/// Flexibility of the nut: harmonics as for the screw. Displacements are against the thrust face, which is held
+/// axially: the shoulder on the face of a flange that ends at the thrust section, else the section. `face` releases
+/// parts that do not push under given loads.
 Flexibility nut_flexibility(const BodyGeometry& body, Direction direction, double position,
                             const FlexibilityOptions& options, MatrixCache& cache = shared_matrix_cache());
 
-/// Roller: all harmonics; contacts at the screw (theta = pi) come first, then those at the nut
-/// (theta = 0), on the other flank of the same ridge. Those of a ring-shaped ridge lie half a pitch
-/// apart. Opposite contacts bend it as if both lay at the middle of the ridge, and what a contact
-/// feels of the other side's higher harmonics is the mean of half a pitch before and behind. Its
-/// guidance holds it sideways. Axially a point of the axis is held, so that single entries depend
-/// on that point, but not the displacements under loads in balance.
+/// Flexibility of the roller: all harmonics; contacts at the screw (theta = pi) come first, then those at the nut
+/// (theta = 0), on the other flank of the same ridge. Those of a ring-shaped ridge lie half a pitch apart. Opposite
+/// contacts bend the roller as if both lay at the middle of the ridge, and the effect of the other side's higher
+/// harmonics is the mean of half a pitch before and behind. The guidance holds the roller sideways. Axially a point of
+/// the axis is held, so that single entries depend on that point, but not the displacements under loads in balance.
 Flexibility roller_flexibility(const BodyGeometry& body, Direction direction, const FlexibilityOptions& options,
                                MatrixCache& cache = shared_matrix_cache());
 
-/// Screw or nut under unlike loads of N rollers. With g_n(i, k) the displacement of harmonic n at
+/// Flexibility of screw or nut under unequal loads of N rollers. With g_n(i, k) the displacement of harmonic n at
 /// thread i by a unit load at thread k, that of roller j by roller l is
 ///
 ///     G = sum_n g_n cos n(phi_j - phi_l),
 ///
-/// a block circulant matrix. Loads cos(m phi_j) see its mode m, N/2 times the sum of the g_n with
-/// n = m + q N or -m + q N, twice that for m = 0 and m = N/2. [m/N]
+/// a block circulant matrix. Loads cos(m phi_j) see its mode m, N/2 times the sum of the g_n with n = m + q N or -m + q
+/// N, twice that for m = 0 and m = N/2. [m/N]
 struct FlexibilityAround {
   /// m = 0 .. N/2, each a matrix over the threads; m = 0 is `Flexibility::matrix`. Without the
   /// half-space part of a contact's own patch.
   std::vector<Eigen::MatrixXd> modes;
-  /// Harmonic 1 at the threads by unit loads on given sections, two columns for each: a force
-  /// across the axis, spread over it, and a moment that turns its slope.
+  /// Harmonic 1 at the threads by unit loads on given sections, two columns for each: a lateral force, spread over the
+  /// section, and a moment that turns its slope.
   Eigen::MatrixXd coupling;
-  /// Mean displacement across the axis and slope of each section by these loads.
+  /// Mean lateral displacement and slope of each section by these loads.
   Eigen::MatrixXd sections;
 };
 
-/// Screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal
-/// ridges up to n a_t/r = `largest_wave`, then those of the half-space. `sections` are axial places
-/// from the loaded section [m]. Behind the body a beam of its pitch diameter goes on to them.
+/// Flexibility of the screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal
+/// ridges up to n a_t/r = `largest_wave`, then those of the half-space. `sections` are axial places from the loaded
+/// section [m]. Behind the body they lie on a beam of its pitch diameter.
 FlexibilityAround screw_around(const BodyGeometry& body, Direction direction, const std::vector<double>& sections,
                                const FlexibilityOptions& options, MatrixCache& cache = shared_matrix_cache());
 
-/// Nut: n = 1 on the whole body, its thrust face clamped; 2 to 6 on the whole body, free; higher
-/// harmonics as the screw's.
+/// Flexibility of the nut: n = 1 on the whole body, its thrust face clamped; 2 to 6 on the whole body, free; higher
+/// harmonics like the screw's.
 FlexibilityAround nut_around(const BodyGeometry& body, Direction direction, double position,
                              const std::vector<double>& sections, const FlexibilityOptions& options,
                              MatrixCache& cache = shared_matrix_cache());
 
-/// All members of a type that a computation receives: unless every one is named, it does not
-/// compile.
+/// Unpacks all members of a type that a computation depends on: it does not compile unless all are named.
 #define PRS_MEMBERS(Type, ...)             \
   inline auto members(const Type& value) { \
     const auto& [__VA_ARGS__] = value;     \
@@ -195,12 +190,12 @@ inline auto members(const std::pair<double, double>& p) { return std::tie(p.firs
 PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far, plain_end, collars, sections, radii)
 PRS_MEMBERS(MeshDensity, patch, growth, largest, step, plain_flank, split, depth)
 PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, tolerance, neighbour_cells, unilateral)
-/// Without what matrices do not depend on and flash temperatures do.
+/// Members without those that only flash temperatures use.
 inline auto members(const Material& value) {
   const auto& [modulus, poisson_ratio, density, expansion, conductivity, specific_heat, pressure_limit] = value;
   return std::tie(modulus, poisson_ratio, density, expansion);
 }
-/// Without the clearance, which no matrix depends on.
+/// Members without the clearance, on which no matrix depends.
 inline auto members(const Guidance& value) {
   const auto& [kind, stiffness, clearance] = value;
   return std::tie(kind, stiffness);
@@ -212,7 +207,7 @@ void append_bytes(std::string& bytes, const std::vector<T>& values);
 template <class T>
 void append_bytes(std::string& bytes, const std::optional<T>& value);
 
-/// The bytes of all numbers in a value, however deep.
+/// Bytes of all numbers in a value, nested ones included.
 template <class T>
 void append_bytes(std::string& bytes, const T& value) {
   if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
@@ -231,9 +226,8 @@ void append_bytes(std::string& bytes, const std::optional<T>& value) {
   if (value) append_bytes(bytes, *value);
 }
 
-/// compute(given), kept under the bytes of what it is given; being a plain function it sees nothing
-/// else. `fits` says which matrices it can be. The number in the key grows when the same numbers
-/// give other matrices.
+/// compute(given), cached under the bytes of its argument; as a plain function it depends on nothing else. `fits`
+/// checks the matrices of a file. Increase the number in the key when the same input gives other matrices.
 template <class Given>
 std::shared_ptr<const MatrixCache::Matrices> cached(MatrixCache& cache, std::string_view what, const Given& given,
                                                     MatrixCache::Matrices (*compute)(const Given&),
@@ -257,8 +251,8 @@ struct LoadedBody {
 };
 PRS_MEMBERS(LoadedBody, shape, flanks, material, density)
 
-/// A nut, held at a section; with a shoulder on what it reaches of a free face there, `radii` of
-/// the shape.
+/// A nut, held at a section; if it has a shoulder, on the part of a free face there that the shoulder covers, `radii`
+/// of the shape.
 struct HeldNut {
   LoadedBody body;
   double thrust = 0.0;
@@ -268,12 +262,12 @@ PRS_MEMBERS(HeldNut, body, thrust, shoulder)
 
 LoadedBody loaded_screw(const BodyGeometry& b, Direction direction, const FlexibilityOptions& options);
 HeldNut held_nut(const BodyGeometry& b, Direction direction, double position, const FlexibilityOptions& options);
-/// Teeth of screw or nut, which all rollers touch alike.
+/// Teeth of screw or nut, which all rollers touch equally.
 Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction, const FlexibilityOptions& options);
 
-/// Nodes of some edges, each once.
+/// Nodes of some edges, each listed once.
 std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges);
-/// Nodes by which a nut is held.
+/// Nodes at which a nut is held.
 std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut);
 
 /// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights

@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Beyond this q the squared spectrum is replaced by its mean, 9/(2 q^4).
+/// Value of q beyond which the squared spectrum is replaced by its mean, 9/(2 q^4).
 constexpr double kLargestSpectralRadius = 60.0;
 
 /// (3 j_1(q)/q)^2, 1 at q = 0.
@@ -49,7 +49,7 @@ double half_space_compliance(const HertzPatch& patch, const Material& material) 
 
 double half_space_remainder(const HertzPatch& patch, const Material& material, double wave_number) {
   const double start = patch.along_circumference * std::abs(wave_number);
-  // In polar coordinates a_t k = q cos(phi), a_s l = q sin(phi), of which |cos(phi)| > start/q.
+  // Integral in polar coordinates a_t k = q cos(phi), a_s l = q sin(phi), over |cos(phi)| > start/q.
   const auto over_angle = [&](double q) {
     return integral(0.0, std::acos(std::min(1.0, start / q)), 10, [&](double phi) {
       return 1.0 / std::hypot(patch.along_profile * std::cos(phi), patch.along_circumference * std::sin(phi));
@@ -71,7 +71,7 @@ std::vector<double> graded(double from, double to, double first, double growth, 
   std::vector<double> ends{0.0};
   for (double size = first; ends.back() < length * (1.0 - 1e-9); size = std::min(size * growth, largest))
     ends.push_back(ends.back() + size);
-  // The last cell is dropped where more than half of it is beyond the end; all then fit exactly.
+  // The last cell is dropped if more than half of it is beyond the end; all are then scaled to fit exactly.
   const std::size_t n = ends.size();
   if (n > 2 && ends[n - 1] - length > 0.5 * (ends[n - 1] - ends[n - 2])) ends.pop_back();
   const double scale = (to - from) / ends.back();
@@ -80,7 +80,7 @@ std::vector<double> graded(double from, double to, double first, double growth, 
   return ends;
 }
 
-/// Each cell cut into `parts` equal ones.
+/// Ends after each cell is cut into `parts` equal ones.
 std::vector<double> split(const std::vector<double>& ends, int parts) {
   std::vector<double> finer{ends.front()};
   for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -90,7 +90,7 @@ std::vector<double> split(const std::vector<double>& ends, int parts) {
   return finer;
 }
 
-/// A column of nodes; those that are not essential give way to their neighbours.
+/// A column of nodes; a non-essential one is dropped if it is close to its neighbours.
 struct Cut {
   double z = 0.0;
   bool essential = false;
@@ -175,7 +175,7 @@ std::vector<double> columns_of(const GroovedShape& s, const std::vector<LoadedFl
     else
       distinct.back().essential = distinct.back().essential || c.essential;
   }
-  // Alike from both sides, so that the mesh of a mirrored body is mirrored.
+  // Graded from both sides alike, so that the mesh of a mirrored body is mirrored.
   std::vector<double> z;
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     const auto gives_way_to = [&](std::size_t k) {
@@ -186,8 +186,8 @@ std::vector<double> columns_of(const GroovedShape& s, const std::vector<LoadedFl
   return z;
 }
 
-/// Radius of the cylinder down to which the layers follow the profile. Where the shoulder of a
-/// plain end is a step, that is no deeper than the step, so that a layer ends at its foot.
+/// Radius of the cylinder down to which the layers follow the profile. If the shoulder of a plain end is a step, the
+/// radius is no deeper than the step, so that a layer ends at its foot.
 double base_radius(const GroovedShape& s, const MeshDensity& density) {
   const Groove& g = s.groove;
   const double base = g.radius(-g.dedendum - density.ridge_depth * g.pitch);
@@ -210,7 +210,7 @@ std::vector<double> ridge_layers(const Groove& g, const std::vector<LoadedFlank>
 /// Whether a body's plain ends are thinner than its cylinder of radius `base`: a step.
 bool has_step(const GroovedShape& s, double base) { return s.plain_end && s.plain_end->radius < base * (1.0 + 1e-9); }
 
-/// Ends of cells from `from` to `to`, fine at both.
+/// Ends of cells from `from` to `to`, fine at both ends.
 std::vector<double> graded_to_middle(double from, double to, double first, double last, double growth, double largest) {
   const double middle = from + (to - from) * (first >= last ? 0.4 : 0.6);
   std::vector<double> ends = graded(from, middle, first, growth, largest);
@@ -220,8 +220,8 @@ std::vector<double> graded_to_middle(double from, double to, double first, doubl
   return ends;
 }
 
-/// Radii of the cylinders from the first one, which is included, to the far surface and beyond it
-/// to the collars. Cells are small where the surface steps, since a thrust face ends there.
+/// Radii of the cylinders from the first one, included, to the far surface and beyond it to the collars. Cells are
+/// small where the surface steps, since a thrust face ends there.
 std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density, double first, double cell) {
   const double thickness = std::abs(s.far_radius - first);
   const double largest = density.largest_cell * thickness;
@@ -253,7 +253,7 @@ std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density
   return radii;
 }
 
-/// Throws where the profile closes on itself, or leaves no core that could be meshed.
+/// Throws if the profile closes on itself, or leaves no core to mesh.
 void require_proper(const GroovedShape& s, const MeshDensity& density) {
   const Groove& g = s.groove;
   for (const FlankSide side : {FlankSide::backward, FlankSide::forward}) {
@@ -275,7 +275,7 @@ double surface_height(const GroovedShape& s, double z) {
   return plain ? 0.0 : s.groove.height(z - s.ridge);
 }
 
-/// Radius that a nut's surface has between two columns.
+/// Outer radius of a nut's surface between two columns.
 double outer_radius(const GroovedShape& s, double z) {
   for (const Collar& c : s.collars)
     if (c.from < z && z < c.to) return c.radius;
@@ -286,10 +286,10 @@ double outer_radius(const GroovedShape& s, double z) {
 /// then those of the core.
 struct Layers {
   std::vector<double> z;      ///< Positions of the columns.
-  std::vector<double> share;  ///< Shares of the way from profile to base, of layers that follow it.
-  std::vector<double> core;   ///< Radii.
+  std::vector<double> share;  ///< Shares of the distance from profile to base, for layers that follow the profile.
+  std::vector<double> core;   ///< Radii of the core's layers.
   double base = 0.0;
-  bool outwards = false;  ///< The profile is the innermost.
+  bool outwards = false;  ///< Whether the profile is innermost.
 
   int columns() const { return static_cast<int>(z.size()) - 1; }
   int ridge_cells() const { return static_cast<int>(share.size()) - 1; }
@@ -303,7 +303,7 @@ struct Layers {
     return line <= ridge_cells() ? surface + (base - surface) * share[static_cast<std::size_t>(line)]
                                  : core[static_cast<std::size_t>(line - ridge_cells())];
   }
-  /// In the grid layers run outwards.
+  /// Line in the grid, whose layers run outwards.
   int line_in_grid(int line) const { return outwards ? line : count() - line; }
   int cell_in_grid(int layer) const { return outwards ? layer : count() - 1 - layer; }
 };
@@ -326,15 +326,15 @@ bool is_threaded(const GroovedShape& shape, double z) {
   return z > shape.start - same && z < shape.end + same;
 }
 
-/// Radius of the surface at a column. Next to a step the layers that follow the profile are empty,
-/// and lie anywhere.
+/// Radius of the surface at a column. Next to a step the layers that follow the profile are empty, and any radius will
+/// do.
 double surface_radius(const GroovedShape& shape, double base, double z) {
   if (is_threaded(shape, z)) return shape.groove.radius(surface_height(shape, z));
   if (!has_step(shape, base)) return shape.plain_end->radius;
   return shape.groove.radius(-shape.groove.dedendum);
 }
 
-/// Whether a cell between two columns, in the middle of which z lies, belongs to the body.
+/// Whether a cell between two columns, with z in its middle, belongs to the body.
 bool is_filled(const GroovedShape& shape, const Layers& layers, double z, int layer) {
   const auto core = [&](int line) { return layers.core[static_cast<std::size_t>(line - layers.ridge_cells())]; };
   const bool in_core = layer >= layers.ridge_cells();

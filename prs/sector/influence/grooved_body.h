@@ -33,17 +33,17 @@ double pressure_amplitude(const HertzPatch& patch, int harmonic, double s, doubl
 /// rho_s a_s^2 + rho_t a_t^2 = 2 delta.
 double half_space_compliance(const HertzPatch& patch, const Material& material);
 
-/// What wave numbers beyond |k| > `wave_number` add to `half_space_compliance` [m/N].
+/// Contribution of wave numbers beyond |k| > `wave_number` to `half_space_compliance` [m/N].
 double half_space_remainder(const HertzPatch& patch, const Material& material, double wave_number);
 
-/// How finely a grooved body is meshed. The defaults are those of working accuracy.
+/// Density of the mesh of a grooved body. The defaults are those of working accuracy.
 struct MeshDensity {
-  int patch_cells = 6;        ///< Across a contact patch, along the profile; even.
+  int patch_cells = 6;        ///< Cells across a contact patch, along the profile; even.
   double growth = 1.5;        ///< Size ratio of neighbouring cells, away from the patch.
-  double largest_cell = 0.5;  ///< In the core, radially, over the body's thickness there.
-  double step_cell = 0.02;    ///< Radially at a step of a nut's surface, over the same.
-  int plain_flank_cells = 4;  ///< On flanks without load.
-  int split = 1;              ///< Every cell again, each way, by halves for 2.
+  double largest_cell = 0.5;  ///< Radial size of cells in the core, over the body's thickness there.
+  double step_cell = 0.02;    ///< Radial size at a step of a nut's surface, over the thickness.
+  int plain_flank_cells = 4;  ///< Cells on flanks without load.
+  int split = 1;              ///< Number of parts into which every cell is split, in each direction.
   double ridge_depth = 0.36;  ///< Depth below the roots that follows the profile, in pitches.
 };
 
@@ -51,9 +51,9 @@ struct MeshDensity {
 struct LoadedFlank {
   double ridge = 0.0;  ///< Axial position of the middle of its ridge [m].
   FlankSide side = FlankSide::backward;
-  HertzPatch patch;         ///< Must fit on the flank (see `fitted`).
-  int patch_cells = 4;      ///< Across the patch.
-  bool tangential = false;  ///< Loaded along the flank, see `patch_loads`.
+  HertzPatch patch;         ///< Contact patch; must fit on the flank (see `fitted`).
+  int patch_cells = 4;      ///< Cells across the patch.
+  bool tangential = false;  ///< Whether it is loaded along the flank, see `patch_loads`.
 };
 
 /// A plain length of a body next to its threads, up to a radius [m].
@@ -72,19 +72,19 @@ struct Collar {
 /// A body of revolution with grooves, in the meridian plane. Axial positions are the body's own.
 struct GroovedShape {
   Groove groove;
-  double start = 0.0;  ///< Threads from here [m]
-  double end = 0.0;    ///< to here [m].
+  double start = 0.0;  ///< Start of the threads [m].
+  double end = 0.0;    ///< End of the threads [m].
   double ridge = 0.0;  ///< Middle of any ridge [m].
-  /// First and last ridge [m]; plain at the pitch radius beyond their grooves. Absent: endless.
+  /// First and last ridge [m]; beyond their grooves the body is plain at the pitch radius. Absent: endless.
   std::optional<std::pair<double, double>> ridges;
-  double far_radius = 0.0;            ///< Bore of a screw, 0 of a solid roller; outer radius of a nut [m].
-  std::optional<PlainEnd> plain_end;  ///< On both sides of an external thread.
+  double far_radius = 0.0;            ///< Bore radius of a screw, 0 for a solid roller; outer radius of a nut [m].
+  std::optional<PlainEnd> plain_end;  ///< Plain ends on both sides of an external thread.
   std::vector<Collar> collars;        ///< Collars of a nut.
   std::vector<double> sections;       ///< Further axial positions with a column of nodes [m].
   std::vector<double> radii;          ///< Further radii with a layer of nodes beyond the core of a nut [m].
 };
 
-/// The mesh of a grooved body and where its flanks and sections are.
+/// The mesh of a grooved body and the places of its flanks and sections.
 struct GroovedBody {
   /// Cells under one patch, with the flank's outward normal (r, z) and its pitch point.
   struct Patch {
@@ -97,12 +97,12 @@ struct GroovedBody {
 
   GroovedShape shape;
   fe::MeridianMesh mesh;
-  std::vector<Patch> patches;  ///< One for each loaded flank, in the order given.
+  std::vector<Patch> patches;  ///< Patch of each loaded flank, in the order given.
 
-  /// Sides of the cells on a section across the body, the axis first; the section must be an end, a
-  /// step or among the shape's sections. Throws std::invalid_argument where it is not.
+  /// Sides of the cells on a section across the body, the axis first; the section must be an end, a step or among the
+  /// shape's sections. Throws std::invalid_argument otherwise.
   const std::vector<fe::MeridianEdge>& section(double z) const { return column(z).edges; }
-  /// Those of them that lie on the surface: the whole section at an end, the face of a step.
+  /// Sides of the section that lie on the surface: the whole section at an end, the face of a step.
   const std::vector<fe::MeridianEdge>& free_face(double z) const { return column(z).free_face; }
 
  private:
@@ -117,27 +117,25 @@ struct GroovedBody {
   std::vector<Column> columns_;
 };
 
-/// Meshes the body by 8-node quadrilaterals: columns of nodes at constant z, layers that follow the
-/// profile and fade into cylinders below the roots. The ends of each patch are ends of cells.
-/// Suits flank normals between about 20 and 65
-/// deg to the axis, where the columns cut the flanks at a good angle.
-/// Throws std::invalid_argument where a patch lies beyond the threads.
+/// Meshes the body by 8-node quadrilaterals: columns of nodes at constant z, layers that follow the profile and fade
+/// into cylinders below the roots. The ends of each patch are ends of cells. Suitable for flank normals between about
+/// 20 and 65 deg to the axis, where the columns cut the flanks at a good angle. Throws std::invalid_argument if a patch
+/// lies beyond the threads.
 GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
                               const MeshDensity& density);
 
-/// The patch, scaled down in both directions if it is too long for the flanks of a groove. What is
-/// left of the flexibility after the half-space part hardly depends on the size of the patch.
+/// The patch, scaled down in both directions if it is too long for the flanks of a groove. The flexibility without its
+/// half-space part hardly depends on the size of the patch.
 HertzPatch fitted(HertzPatch patch, const Groove& groove);
 
-/// Consistent nodal loads of harmonic n of one patch that pushes with 1 N along the inward normal
-/// at theta = 0, one column for each patch of the body. A tangential one pushes as much along the
-/// profile: with the axial sense of the inward normal and against its radial one, so that on both
-/// bodies of a contact it is opposite.
+/// Consistent nodal loads of harmonic n of one patch that pushes with 1 N along the inward normal at theta = 0, one
+/// column for each patch of the body. A tangential patch pushes with 1 N along the profile: with the axial sense of the
+/// inward normal and against its radial one, so that it is opposite on the two bodies of a contact.
 Eigen::MatrixXd patch_loads(const GroovedBody& body, int harmonic);
 
 inline fe::Isotropic isotropic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
 
-/// Throws where the stiffness of a harmonic cannot be factorized.
+/// Factorizes the stiffness of a harmonic; throws if it cannot.
 inline void factorize(fe::HarmonicBody& body, int harmonic) {
   if (body.factorize(harmonic) != fe::FactorizationStatus::ok)
     throw std::runtime_error("the stiffness of a grooved body could not be factorized");
@@ -149,22 +147,22 @@ inline Eigen::MatrixXd flexibility_of(fe::HarmonicBody& body, int harmonic, cons
   return loads.transpose() * body.solve(loads);
 }
 
-/// How exactly the flexibility of the bodies is worked out.
+/// Accuracy settings of the flexibility of the bodies.
 struct FlexibilityOptions {
   MeshDensity mesh;
-  /// Harmonics are summed by finite elements up to n a_t/r = this; beyond, the body is taken as a
-  /// half-space and its harmonics are added in closed form. More is not better on a coarse mesh,
-  /// which represents the short waves worse than the closed form does.
+  /// n a_t/r up to which harmonics are summed by finite elements; beyond, the body is taken as a half-space and its
+  /// harmonics are added in closed form. A larger value is not better on a coarse mesh, which represents the short
+  /// waves worse than the closed form does.
   double largest_wave = 1.0;
-  /// A harmonic is followed along the body until it has decayed to this share.
+  /// Share to which a harmonic must have decayed along the body before it is cut off.
   double block_tolerance = 1e-3;
-  /// Cells across the patches of the neighbours, which only feel a harmonic.
+  /// Cells across the patches of the neighbours, which carry no load in a harmonic.
   int neighbour_patch_cells = 2;
-  /// The thrust face of the nut pushes only; parts of it that would pull are let go.
+  /// Whether the thrust face of the nut only pushes: parts of it that would pull are released.
   bool unilateral_thrust = true;
 };
 
-/// Options of an accuracy: `working` are the defaults.
+/// Options for an accuracy: `working` uses the defaults.
 inline FlexibilityOptions flexibility_options(ModelOptions::Accuracy accuracy) {
   FlexibilityOptions options;
   if (accuracy == ModelOptions::Accuracy::reference) {

@@ -7,7 +7,7 @@
 namespace prs {
 namespace {
 
-constexpr double kNominalPressure = 0.02;  ///< Over E*.
+constexpr double kNominalPressure = 0.02;  ///< Peak pressure over E*.
 
 using Eigen::Index;
 
@@ -18,7 +18,7 @@ constexpr int kMostIterations = 50, kMostHalvings = 40;
 
 /// Least tangent of a guide in the matrix of a step, over its stiffness; no residual contains it.
 constexpr double kLeastTangent = 1e-8;
-/// Smallest step of a clearance that grows, as a share of it.
+/// Smallest step of a growing clearance, as a share of it.
 constexpr double kLeastClearanceStep = 1e-4;
 
 /// N(y) and its slope.
@@ -36,27 +36,27 @@ Loads loads_at(const ContactProblem& p, const Eigen::VectorXd& y) {
   for (Index k = contacts; k < y.size(); ++k) {
     const double v = -y[k];
     loads.value[k] = p.held_by * v + p.ring->force(v);
-    // What is free within all clearances still has a matrix.
+    // A roller that is free within all clearances still has a matrix.
     loads.slope[k] = std::max(p.ring->tangent(v), kLeastTangent * p.ring->stiffness) - p.held_by;
   }
   return loads;
 }
 
-/// Unknowns and what the conditions lack there.
+/// Unknowns and the residual of the conditions there.
 struct Trial {
   Eigen::VectorXd y;
   Eigen::Vector2d motion;
   Loads loads;
-  Eigen::VectorXd residual;  ///< Relative: compatibility, then equilibrium.
+  Eigen::VectorXd residual;  ///< Relative residual: compatibility, then equilibrium.
 };
 
-/// The conditions under a force, as Newton's method sees them.
+/// The conditions under a force, in the form for Newton's method.
 class Equilibrium {
  public:
   Equilibrium(const ContactProblem& p, double force)
       : p_(p), n_(p.gap.size()), force_(force), jacobian_(n_ + 2, n_ + 2), lu_(n_ + 2) {}
 
-  /// Rigid bodies, equal shares: the largest gap closed as well.
+  /// Start: rigid bodies with equal shares, the largest gap closed as well.
   Trial start() {
     const auto contacts = static_cast<double>(p_.contacts());
     const Index first_nut = p_.contacts(), all = 2 * first_nut;
@@ -90,7 +90,7 @@ class Equilibrium {
   double tangent_stiffness(const Trial& at) {
     factorize(at);
     Eigen::VectorXd rate = Eigen::VectorXd::Zero(n_ + 2);
-    rate[n_] = 1.0 / force_;  // a unit of force, in relative equilibrium
+    rate[n_] = 1.0 / force_;  // rate for a unit of force, in relative equilibrium
     return 1.0 / lu_.solve(rate)[n_];
   }
 
@@ -162,7 +162,7 @@ InfluenceSolver::Turned InfluenceSolver::turned(const RollerPush& push, double s
     radial.segment(2 * contacts, contacts).setConstant(-sine * push.of_thread * pitch);
     radial.segment(3 * contacts, contacts).setConstant(cosine * push.of_thread * pitch);
   }
-  // Half of an end at each of its guides.
+  // Each guide gets half of the force on its end.
   if (guides_) radial.tail(guides()).setConstant(0.5 * guides_->end_length * push.of_heads);
   const Eigen::VectorXd opening = bent_ * radial;
   t.opening.resize(2 * contacts + guides());
@@ -299,7 +299,7 @@ HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law,
 BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction direction, double position,
                                      const FlexibilityOptions& options, MatrixCache& cache) {
 #ifdef __EMSCRIPTEN__
-  constexpr auto when = std::launch::deferred;  // It has no threads.
+  constexpr auto when = std::launch::deferred;  // deferred: there are no threads
 #else
   constexpr auto when = std::launch::async | std::launch::deferred;
 #endif
@@ -385,8 +385,8 @@ ContactSolution solve(const ContactProblem& p, double force) {
     Trial at = equilibrium.start();
     return solve(p, equilibrium, at);
   }
-  // A roller that no guide touches may meet hardly any resistance: the clearance grows from 0, and guides
-  // that touch go with it.
+  // A roller that no guide touches may have hardly any stiffness: the clearance grows from 0, and touching guides
+  // follow it.
   ContactProblem grown = p;
   double& clearance = grown.ring->clearance = 0.0;
   Equilibrium equilibrium(grown, force);

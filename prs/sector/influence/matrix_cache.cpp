@@ -19,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Entries in memory; the oldest gives way. A screw has about ten.
+/// Largest number of entries in memory; the oldest is dropped. A screw has about ten.
 constexpr std::size_t kMostKept = 512;
 constexpr std::size_t kDigestLength = 64;
 constexpr std::uint64_t kLargestSide = 100'000;
 
-/// Key, matrices and, at the end, the digest of both.
+/// Text with key, matrices and, at the end, the digest of both.
 std::string encoded(const std::string& key, const MatrixCache::Matrices& matrices) {
   std::string bytes;
   put(bytes, key);
@@ -59,7 +59,7 @@ std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::
 constexpr std::size_t kDigits = 64;
 constexpr std::string_view kExtension = ".matrices";
 
-/// Age of a draft that counts as left behind where the file system has no locks [s].
+/// Age at which a draft counts as abandoned if the file system has no locks [s].
 constexpr std::time_t kLongestWrite = 3600;
 
 std::string name_of(const std::string& digest) { return digest + std::string(kExtension); }
@@ -71,7 +71,7 @@ bool starts_as_entry(std::string_view name) {
 
 bool is_entry(std::string_view name) { return starts_as_entry(name) && name.size() == kDigits + kExtension.size(); }
 
-/// `DIGEST.matrices.RANDOM`.
+/// Whether a name is `DIGEST.matrices.RANDOM`.
 bool is_draft(std::string_view name) { return starts_as_entry(name) && !is_entry(name); }
 
 std::string random_suffix() {
@@ -107,7 +107,7 @@ OpenFolder open_folder(const fs::path& path) {
   return opened;
 }
 
-/// The folder, made where it is missing.
+/// Opens the folder, creating it if missing.
 OpenFolder make_folder(const fs::path& path) {
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);
@@ -115,7 +115,7 @@ OpenFolder make_folder(const fs::path& path) {
   return open_folder(path);
 }
 
-/// A regular file of the user.
+/// Opens a regular file of the user.
 std::optional<FileDescriptor> open_own(const FileDescriptor& folder, const std::string& name) {
   RegularFile opened = open_regular(name.c_str(), O_RDONLY, 0, folder.get());
   struct stat status {};
@@ -124,7 +124,7 @@ std::optional<FileDescriptor> open_own(const FileDescriptor& folder, const std::
   return std::move(opened.file);
 }
 
-/// Writers hold a lock on their drafts, which ends with them.
+/// Whether a draft is abandoned: writers hold a lock on their drafts, which ends with them.
 bool is_left_behind(const FileDescriptor& draft) {
   if (::flock(draft.get(), LOCK_EX | LOCK_NB) == 0) return true;
   if (errno == EWOULDBLOCK) return false;
@@ -132,11 +132,11 @@ bool is_left_behind(const FileDescriptor& draft) {
   return ::fstat(draft.get(), &status) == 0 && std::time(nullptr) - status.st_mtim.tv_sec > kLongestWrite;
 }
 
-/// What a file of so many bytes takes, in whole blocks.
+/// Space of a file of this many bytes, in whole blocks.
 std::uintmax_t on_disk(std::uintmax_t bytes) { return (bytes + 4095) / 4096 * 4096; }
 
 struct Entry {
-  std::time_t seconds = 0;  ///< When it was used last.
+  std::time_t seconds = 0;  ///< Time of the last use.
   long nanoseconds = 0;
   std::string name;
   std::uintmax_t bytes = 0;
@@ -154,7 +154,7 @@ std::vector<std::string> names_in(const fs::path& path) {
   return names;
 }
 
-/// Drafts that were left behind, and what was not used for longest of more than `most` bytes.
+/// Removes abandoned drafts and, of more than `most` bytes, the entries unused for longest.
 void clear_up(const FileDescriptor& folder, const fs::path& path, std::uintmax_t most) {
   std::vector<Entry> entries;
   std::uintmax_t total = 0;
@@ -180,7 +180,7 @@ void clear_up(const FileDescriptor& folder, const fs::path& path, std::uintmax_t
 
 }  // namespace
 
-/// Says when it begins and when it ends.
+/// Reports the beginning and the end of a computation.
 class MatrixCache::Computation {
  public:
   explicit Computation(MatrixCache& cache) : cache_(cache) { change(1); }
@@ -280,7 +280,7 @@ MatrixCache& shared_matrix_cache() {
 }
 
 CacheFolder::CacheFolder(fs::path path, std::uintmax_t most_bytes) : path_(std::move(path)), most_bytes_(most_bytes) {
-  // A slash at its end would follow the folder where it is a link.
+  // With a slash at its end the path would follow the folder if it is a link.
   if (!path_.empty() && !path_.has_filename()) path_ = path_.parent_path();
 }
 

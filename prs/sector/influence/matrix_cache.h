@@ -19,25 +19,25 @@ namespace prs {
 
 /// Files that later runs find again, in a folder of the user's own.
 ///
-/// Nobody else redirects what is written or provides what is read: drafts are new files that only
-/// the user may read, symbolic links are not followed, and only regular files of the user count. A
-/// folder that belongs to another user, or that everybody may write into, is not used.
+/// Other users can neither redirect what is written nor provide what is read: drafts are new files that only the user
+/// may read, symbolic links are not followed, and only regular files of the user count. A folder that belongs to
+/// another user, or that everybody may write into, is not used.
 class CacheFolder {
  public:
-  /// On the disk, of all files together, some 400 screws; beyond it those go first that were not
-  /// used for longest.
+  /// Largest space on the disk of all files together, some 400 screws; beyond it the files unused for longest are
+  /// removed.
   static constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 
   explicit CacheFolder(std::filesystem::path path, std::uintmax_t most_bytes = kMostBytes);
 
-  /// The file of that digest (64 hexadecimal digits), which counts as used now.
+  /// Reads the file of a digest (64 hexadecimal digits) and marks it as used now.
   std::optional<std::string> read(const std::string& digest) const;
 
-  /// Complete or not at all, whoever else writes the same file; what cannot be written is left out.
-  /// Removes what is beyond the bound, and the drafts of processes that are gone.
+  /// Writes a file completely or not at all, also if others write the same one; errors are ignored. Removes files
+  /// beyond the bound, and the drafts of processes that have ended.
   void write(const std::string& digest, std::string_view bytes) const;
 
-  /// Why the folder is not used and what to do, one line; empty if it is, or is absent.
+  /// Reason why the folder is not used and how to fix it, one line; empty if it is used, or is absent.
   std::string refusal() const;
 
  private:
@@ -45,7 +45,7 @@ class CacheFolder {
   std::uintmax_t most_bytes_;
 };
 
-/// Matrices that a cache was asked for, which does not make them.
+/// Error: a cache that must not compute lacks the matrices.
 class NotKept : public std::runtime_error {
  public:
   explicit NotKept(std::string key)
@@ -56,40 +56,38 @@ class NotKept : public std::runtime_error {
   std::string key_;
 };
 
-/// Matrices that are dear to compute, kept under the text of all that they depend on: in memory
-/// and, where a directory is given, in a CacheFolder there that later runs find by the text's
-/// SHA-256. A file that is damaged or belongs to another text counts as absent; one that cannot be
-/// written is left out. May be used from several threads.
+/// Expensive matrices, kept under the text of all that they depend on: in memory and, if a directory is given, in a
+/// CacheFolder there that later runs find by the text's SHA-256. A file that is damaged or belongs to another text
+/// counts as absent; errors of writing are ignored. May be used from several threads.
 class MatrixCache {
  public:
   using Matrices = std::vector<Eigen::MatrixXd>;
 
-  /// Keeps nothing in files where `directory` is empty.
+  /// Keeps nothing in files if `directory` is empty.
   explicit MatrixCache(std::filesystem::path directory = {}) { keep_in(std::move(directory)); }
 
-  /// What another cache holds, in memory and in files, and no more: what is absent is NotKept.
+  /// Selects the contents of another cache, in memory and in files, without computing: absent matrices throw NotKept.
   struct KeptOnly {};
   MatrixCache(const MatrixCache& other, KeptOnly);
 
   void keep_in(std::filesystem::path directory);
 
-  /// Is called, from any thread, when a computation begins and when one ends: whether one still
-  /// goes on, and how many have ended.
+  /// Callback, from any thread, when a computation begins or ends: whether one still goes on, and how many have ended.
   using Progress = std::function<void(bool working, int computed)>;
   void report_to(Progress progress);
 
-  /// What is kept under `key`, else the result of `compute`, which is kept from then on. What a
-  /// file holds counts only if it `fits`: whatever its key says, anybody may have made it.
+  /// Matrices kept under `key`, else the result of `compute`, which is then kept. Matrices of a file count only if they
+  /// satisfy `fits`: anybody may have made a file, whatever its key says.
   std::shared_ptr<const Matrices> get(const std::string& key, const std::function<Matrices()>& compute,
                                       const std::function<bool(const Matrices&)>& fits = {});
 
-  /// Matrices computed so far, found neither in memory nor in a file.
+  /// Number of matrices computed so far, found neither in memory nor in a file.
   int computed() const;
 
-  /// Why what was asked for was not looked up in files, one line; empty where it was.
+  /// Reason why matrices were not looked up in files, one line; empty if they were.
   std::string refusal() const;
 
-  /// No thread is within the cache while it is locked, so that the process may fork.
+  /// Locks the cache, so that no thread is within it and the process may fork.
   void lock() { mutex_.lock(); }
   void unlock() { mutex_.unlock(); }
 
@@ -106,14 +104,14 @@ class MatrixCache {
   int computed_ = 0;
 };
 
-/// Whether there are so many matrices, each of these rows and columns.
+/// Whether there is this number of matrices, each of these rows and columns.
 bool have_sizes(const MatrixCache::Matrices& matrices,
                 std::initializer_list<std::pair<Eigen::Index, Eigen::Index>> sizes);
 
-/// Folder in which bodies are kept between runs: PRS_CACHE_DIR (empty: nowhere), else the user's cache.
+/// Folder in which bodies are kept between runs: PRS_CACHE_DIR (empty: none), else the user's cache.
 std::filesystem::path cache_directory();
 
-/// The cache that the program's commands share.
+/// The cache shared by the program's commands.
 MatrixCache& shared_matrix_cache();
 
 }  // namespace prs

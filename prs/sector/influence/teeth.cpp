@@ -7,7 +7,7 @@ using Eigen::Index;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// For each type of contacts its half-space part and the harmonics left out [m/N], then the
+/// Whether the matrices are, for each type of contacts, its half-space part and the harmonics left out [m/N], then the
 /// response at the ridges around a loaded one, summed over the harmonics, by types.
 bool are_teeth(const Teeth& t, const MatrixCache::Matrices& m) {
   const auto count = static_cast<Index>(t.types.size());
@@ -52,7 +52,7 @@ void add_teeth(Flexibility& f, const Teeth& t, bool centred, MatrixCache& cache)
   const MatrixCache::Matrices& m = *teeth;
   const int reach = static_cast<int>(m.size() - 3) / 2, contacts = t.contacts;
   const auto kernel = [&](int d, Index a, Index b) { return std::abs(d) > reach ? 0.0 : m[at(2 + d + reach)](a, b); };
-  // Half pitches by which the flank of one type lies before that of another on the same ridge.
+  // Number of half pitches by which the flank of one type lies before that of another on the same ridge.
   const auto ahead = [&](Index a, Index b) {
     const FlankSide of_a = t.types[static_cast<std::size_t>(a)].side;
     const FlankSide of_b = t.types[static_cast<std::size_t>(b)].side;

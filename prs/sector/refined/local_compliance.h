@@ -7,41 +7,39 @@
 /// Formulas for a number or a batch of numbers: one sector per lane.
 namespace prs {
 
-/// Distances at which the displacement by a line of force along the axis is zero once its smooth
-/// part is taken away: normal u = 2 (1 - nu^2) q/(pi E) ln(L_n/rho), tangential (along the line)
-/// u = q/(pi G) ln(L_t/rho), at the small distance rho. [m]
+/// Distances at which the displacement by a line of force along the axis, without its smooth part, is zero: normal u =
+/// 2 (1 - nu^2) q/(pi E) ln(L_n/rho), tangential (along the line) u = q/(pi G) ln(L_t/rho), at the small distance rho.
+/// [m]
 template <class Real>
 struct LineReachOf {
   Real normal{};      ///< L_n
   Real tangential{};  ///< L_t
 };
 
-/// Equal rows at equal distances round a cylinder of radius r, the mean round it taken away:
-/// sum of (N/n) cos(n theta), n = N, 2 N, .., is -ln|2 sin(N theta/2)|, hence both lengths r/N.
+/// Distances for equal rows at equal distances around a cylinder of radius r, without the mean around it: sum of (N/n)
+/// cos(n theta), n = N, 2 N, .., is -ln|2 sin(N theta/2)|, hence both lengths r/N.
 template <class Real>
 LineReachOf<Real> rows_around(const Real& radius, const Real& rows) {
   return {radius / rows, radius / rows};
 }
 
-/// Two rows opposite each other on a solid cylinder. Normal: a disc pressed along its diameter
-/// (Johnson, Contact Mechanics, 1985, (5.57)), L_n = 2 r/e. Tangential: two opposed lines of shear,
-/// the rotation of the sections, which a beam has, taken away: L_t = 2 r/e^2.
+/// Distances for two rows opposite each other on a solid cylinder. Normal: a disc pressed along its diameter (Johnson,
+/// Contact Mechanics, 1985, (5.57)), L_n = 2 r/e. Tangential: two opposed lines of shear, without the rotation of the
+/// sections, which a beam has: L_t = 2 r/e^2.
 template <class Real>
 LineReachOf<Real> opposite_rows(const Real& radius) {
   constexpr double kE = std::numbers::e;
   return {2.0 / kE * radius, 2.0 / (kE * kE) * radius};
 }
 
-/// By how much a contact gives way more along its normal than under the same load spread along its
-/// row, its own half-space part apart, which exact Hertz carries [m/N]. Contacts of a row stand at
-/// the pitch p on a half-space:
+/// Additional compliance of a contact along its normal over that of the same load spread along its row, without its own
+/// half-space part, which is in the exact Hertz law [m/N]. Contacts of a row are at the pitch p on a half-space:
 ///
 ///     c = sin^2(psi) 2 (1 - nu^2)/(pi E p) (ln(L_n/(2 p)) + gamma)
-///         + cos^2(psi) 1/(pi G p) (ln(L_t/(2 p)) + gamma),
+///       + cos^2(psi) 1/(pi G p) (ln(L_t/(2 p)) + gamma),
 ///
-/// gamma Euler's constant; normal and tangential loads of a straight row do not see each other.
-/// Negative as a rule: spread loads have a part of the half-space's deflection too. Holds for rows
-/// further apart than p.
+/// gamma Euler's constant; normal and tangential loads of a straight row are uncoupled. Usually negative: spread loads
+/// have a part of the half-space's deflection too. Valid for rows further apart than p.
 template <class Real>
 Real concentration_compliance(const LineReachOf<Real>& reach, const contact::ElasticityOf<Real>& m, const Real& pitch,
                               const Real& sine, const Real& cosine) {
@@ -77,8 +75,7 @@ Real cylinder_compliance(const Real& radius, const Real& bore, const contact::El
   return pressure_factor(m.youngs_modulus, rollers, pitch, sine) * (lame_ratio(radius, bore) - m.poisson_ratio);
 }
 
-/// artanh(x)/x - 1 for 0 < x < 1, exact also where x is small: ln(R/r) is 2 x times one more, with
-/// x = (R - r)/(R + r).
+/// artanh(x)/x - 1 for 0 < x < 1, exact also for small x: ln(R/r) is 2 x times one more, with x = (R - r)/(R + r).
 template <class Real>
 Real artanh_excess(const Real& x) {
   using simd::log, simd::select;
@@ -102,16 +99,14 @@ Real wall_compliance(const Real& inner, const Real& outer, const contact::Elasti
          (0.5 * (x + excess / (x * (1.0 + excess))) + m.poisson_ratio);
 }
 
-/// b [1/m] of a band of pressure that ends half a pitch beyond the first and the last contact. For
-/// long waves a cylinder is a beam on an elastic foundation, 1/(1 + k^4/(4 b^4)), so that an end at
-/// the distance x takes away
+/// b [1/m] for a band of pressure that ends half a pitch beyond the first and the last contact. For long waves a
+/// cylinder is a beam on an elastic foundation, 1/(1 + k^4/(4 b^4)), so that an end at the distance x reduces the
+/// displacement under an endless band by the share
 ///
-///     exp(-b x) cos(b x)/2
+///     exp(-b x) cos(b x)/2,
 ///
-/// of the displacement under an endless band,
-/// b^4 = 24 (1 + nu)/r^4 for a solid cylinder (series of Lur'e's solution, Three-dimensional
-/// Problems of the Theory of Elasticity, 1964, chapter 7), 3 (1 - nu^2)/(r_m h)^2 for a thin tube;
-/// of both the larger b.
+/// b^4 = 24 (1 + nu)/r^4 for a solid cylinder (series of Lur'e's solution, Three-dimensional Problems of the Theory of
+/// Elasticity, 1964, chapter 7), 3 (1 - nu^2)/(r_m h)^2 for a thin tube; the larger b of the two is used.
 template <class Real>
 Real band_decay(const Real& radius, const Real& bore, const Real& nu) {
   using simd::max, simd::sqrt;
@@ -121,7 +116,7 @@ Real band_decay(const Real& radius, const Real& bore, const Real& nu) {
   return max(solid, tube);
 }
 
-/// What an end of the band at the distance `x` takes away.
+/// Share by which an end of the band at the distance `x` reduces the displacement.
 template <class Real>
 Real taken_by_end(const Real& decay, const Real& x) {
   using simd::exp, simd::sincos;

@@ -10,11 +10,11 @@
 /// nut_shell.h.
 namespace prs {
 
-/// What nuts side by side have in common.
+/// Properties that nuts side by side share.
 struct NutShape {
   std::span<const int> contacts;  ///< Nodes of the contacts, ascending.
   int thrust = 0;                 ///< Node of the thrust section.
-  /// For each segment the first one that is like it.
+  /// First segment equal to it, for each segment.
   std::span<const int> same;
   bool has_ring = false;  ///< Whether the thrust section leans on a ring.
   RefinedEffects effects;
@@ -48,24 +48,24 @@ template <class Real>
 Real centre_of_pressure(const Real& force, const Real& tilt, const Real& width, const Real& plane_modulus) {
   using simd::abs, simd::select;
   constexpr double kPi = std::numbers::pi;
-  const Real lean = kPi * plane_modulus * abs(tilt) * width / force;  // 4 where b = w
+  const Real lean = kPi * plane_modulus * abs(tilt) * width / force;  // 4 if b = w
   const Real from_edge = select(lean > 4.0, width / lean, width * (0.5 - lean / 16.0));
   return select(tilt > 0.0, from_edge, width - from_edge);
 }
 
-/// All of a nut from its end up to a node, with the loads on it: what is left of it there.
+/// Part of a nut from its end up to a node, with its loads, condensed to that node.
 template <class Real>
 struct NutEnd {
-  Real vv{}, vt{}, tt{};  ///< Stiffness over (v, theta); u follows.
+  Real vv{}, vt{}, tt{};  ///< Stiffness over (v, theta); u is free.
   Real u{}, v{}, t{};     ///< Loads on the node.
 
-  /// One shell further, `step` 1 along the axis, -1 against it. What deforms the shell is
-  /// eliminated, not its far node: a stiff shell takes no digits away.
+  /// Adds one shell, `step` 1 along the axis, -1 against it. The deformations of the shell are eliminated, not its far
+  /// node: a stiff shell loses no digits.
   void pass(fe::ShellBlocks<Real> k, double step, bool held_radially) {
     k.uv *= step;
     k.tv *= step;
     k.dm *= step;
-    // Over (u, theta, v) of the deformation and (v, theta) of the node reached; loads.
+    // Matrix over (u, theta, v) of the deformation and (v, theta) of the node reached; then loads.
     Real a[5][5] = {{k.uu, k.ut, -0.5 * k.uv, k.uv, Real(0.0)},
                     {Real(0.0), k.tt + 0.25 * k.mm + tt, -0.5 * (k.tv + k.dm) + vt, k.tv - vt, -0.5 * k.mm - tt},
                     {Real(0.0), Real(0.0), 0.25 * k.vv + k.dd + vv, -0.5 * k.vv - vv, k.dm - vt},
@@ -116,11 +116,11 @@ fe::ShellRigidityOf<Real> wall_rigidity(const NutNumbers<Real>& n, std::size_t s
 /// Rotation of the thrust section, u held there.
 template <class Real>
 struct ThrustTilt {
-  Real by_loads;   ///< By unit normal loads on all contacts [rad/N].
+  Real by_loads;   ///< Rotation by unit normal loads on all contacts [rad/N].
   Real by_moment;  ///< [rad/(N m)]
 };
 
-/// Node by node from both ends to the thrust section.
+/// Condenses node by node from both ends to the thrust section.
 template <class Real>
 ThrustTilt<Real> thrust_tilt(const NutShape& shape, const NutNumbers<Real>& n, const fe::ShellBlocks<Real>* shells,
                              const Real& contact_arm) {
@@ -150,8 +150,8 @@ ThrustTilt<Real> thrust_tilt(const NutShape& shape, const NutNumbers<Real>& n, c
   return {(t - share * v) * by_moment, by_moment};
 }
 
-/// Radius at which the housing pushes, between the edges of the ring: the further out it does, the
-/// more the face tilts, and the further in is the centre of pressure.
+/// Radius at which the housing pushes, between the edges of the ring: the further out it is, the more the face tilts,
+/// which moves the centre of pressure in.
 template <class Real>
 Real thrust_radius(const NutShape& shape, const NutNumbers<Real>& n, const ThrustTilt<Real>& tilt) {
   using simd::select;
@@ -172,8 +172,8 @@ Real thrust_radius(const NutShape& shape, const NutNumbers<Real>& n, const Thrus
   return 0.5 * (low + high);
 }
 
-/// `NutShell` of nuts that have one: `shells[k]` of every segment k that is the first of its kind.
-/// Returns the distance from the radius of the nodes to the contacts.
+/// Computes `NutShell` for nuts that have one: `shells[k]` of every segment k that is the first of its kind. Returns
+/// the distance from the radius of the nodes to the contacts.
 template <class Real>
 Real set_nut_shells(const NutShape& shape, const NutNumbers<Real>& n, fe::ShellBlocks<Real>* shells) {
   const auto before = static_cast<std::size_t>(shape.thrust > 1 ? shape.thrust - 1 : 0);

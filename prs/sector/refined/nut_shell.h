@@ -6,11 +6,11 @@
 
 namespace prs {
 
-/// Nodes along the nut and what lies between them.
+/// Nodes along the nut and the segments between them.
 struct NutLine {
   std::vector<double> sections;        ///< Ascending axial positions of the nodes [m].
-  std::vector<double> outer_radius;    ///< Between a node and the next [m].
-  std::vector<double> axial_rigidity;  ///< E A likewise, of a nut of bars [N].
+  std::vector<double> outer_radius;    ///< Outer radius between a node and the next [m].
+  std::vector<double> axial_rigidity;  ///< E A between a node and the next, for a nut of bars [N].
   std::vector<int> contacts;           ///< Nodes of the contacts, thread 1 first.
   int thrust = 0;                      ///< Node of the thrust section.
 
@@ -25,40 +25,39 @@ struct ThrustRing {
 
 /// Radii of the nut's threads [m].
 struct NutBore {
-  /// Inner radius of what carries axial force, between a node of the line and the next.
+  /// Inner radius of the section that carries axial force, between a node of the line and the next.
   std::vector<double> root;
-  double pitch = 0.0;  ///< Radius of the contacts; the ridges, closed rings half of which fill the
-                       ///< groove depth, carry hoop stress from here on.
+  double pitch = 0.0;  ///< Radius of the contacts, from which on the ridges, closed rings half of which fill the groove
+                       ///< depth, carry hoop stress.
 };
 
-/// The step of the outer radius at the thrust section, or the whole face of an end, as far as the
-/// stated shoulder reaches; none inside the nut. Throws CaseError where the shoulder misses the
-/// face.
+/// The step of the outer radius at the thrust section, or the whole face of an end, as far as the stated shoulder
+/// covers it; none inside the nut. Throws CaseError if the shoulder misses the face.
 std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut, const NutBore& bore);
 
-/// Sets for each segment of the line the first one that is like it.
+/// Sets for each segment of the line the first one equal to it.
 void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<int>& same);
 
-/// What pushes the nut: equal loads at all contacts.
+/// Loads on the nut: equal ones at all contacts.
 struct NutLoad {
-  double sense = 1.0;         ///< s, of the axial force along x.
+  double sense = 1.0;         ///< s, sense of the axial force along x.
   double normal_angle = 0.0;  ///< psi [rad]
 };
 
 /// The nut of one sector as a shell.
 struct NutShell {
-  std::vector<fe::ShellMatrix> segments;  ///< Between the nodes of the line.
-  /// From the radius of the nodes, at which the thrust section is held, to the contacts [m].
+  std::vector<fe::ShellMatrix> segments;  ///< Shells between the nodes of the line.
+  /// Distance from the radius of the nodes, at which the thrust section is held, to the contacts [m].
   double contact_arm = 0.0;
-  bool straight_thrust_section = false;  ///< The thrust section does not tilt.
-  bool radially_rigid = false;           ///< v = 0 at all nodes.
+  bool straight_thrust_section = false;  ///< Whether the thrust section does not tilt.
+  bool radially_rigid = false;           ///< Whether v = 0 at all nodes.
 };
 
-/// One shell between neighbouring nodes, its freedoms at the radius where the housing pushes: the
-/// centre of pressure on a thrust ring; without one the middle of the wall, held on all of it.
+/// One shell between neighbouring nodes, with its freedoms at the radius where the housing pushes: the centre of
+/// pressure on a thrust ring; without one the middle of the wall, held on all of it.
 ///
-/// Effects: `hoop` lets the wall move radially, `poisson` couples that with axial strain, `flange`
-/// takes forces where they act; without it they act at the wall's centroid and nothing tilts.
+/// Effects: `hoop` lets the wall move radially, `poisson` couples that with axial strain, `flange` applies forces at
+/// their places; without it they act at the wall's centroid and nothing tilts.
 NutShell nut_shell(const NutShape& shape, const NutNumbers<double>& numbers);
 NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore, const NutLoad& load,
                    const Material& material, int rollers, const RefinedEffects& effects);

@@ -8,13 +8,13 @@
 
 namespace prs {
 
-/// How the search for loads and friction that belong together ended.
+/// Outcome of the search for consistent loads and friction.
 enum class RunningStatus {
   converged,
   iteration_limit,
   slip_no_equilibrium,  ///< No slip ratio balances the moment on a roller.
-  jammed,               ///< Friction takes more of a contact's axial force than its normal gives.
-  no_equilibrium,       ///< The loads with that friction have no equilibrium.
+  jammed,               ///< Friction exceeds the part of a contact's axial force that its normal gives.
+  no_equilibrium,       ///< The loads with friction have no equilibrium.
   mechanism,
 };
 
@@ -31,16 +31,16 @@ struct FrictionForces {
   std::vector<double> axial, radial, tangential;
 };
 
-/// What a load case has where its loads are those of the running screw, with friction. SI units.
+/// Data of a load case whose loads are those of the running screw, with friction. SI units.
 struct RunningLoads {
   RunningStatus status = RunningStatus::iteration_limit;
-  int rounds = 0;       ///< Evaluations of slip.
+  int rounds = 0;       ///< Number of evaluations of slip.
   double change = 0.0;  ///< Change of a thread's load in the last round, over the largest load.
-  /// R_near and R_far, forces of the guides on the roller, > 0 outwards; of each roller present
-  /// [N]. None where rollers stay straight.
+  /// R_near and R_far, forces of the guides on the roller, > 0 outwards, for each present roller [N]. None if rollers
+  /// stay straight.
   std::vector<std::array<double, 2>> guide_force;
 
-  /// The same load case at rest.
+  /// Same load case at rest.
   struct AtRest {
     PerInterface<double> largest_normal_load;  ///< [N]
     double axial_displacement = 0.0;           ///< [m]

@@ -61,7 +61,7 @@ Bench line() {
 }
 
 struct Slope {
-  double value, sum, squares;  ///< sum of x^2, residual squares.
+  double value, sum, squares;  ///< The slope, the sum of x^2, that of squared residuals.
 };
 Slope slope_of(const std::vector<double>& x, const std::vector<double>& y) {
   double xy = 0.0, xx = 0.0, squares = 0.0;
@@ -147,7 +147,7 @@ TEST(Estimation, LogarithmsMoveNoOptimum) {
   EXPECT_NEAR(b.unknowns[0].estimate->deviation, a.unknowns[0].estimate->deviation, 1e-5);
 }
 
-/// A curve that feels the second unknown only beyond 2, which the first one alone leads to.
+/// A curve depends on the second unknown only beyond 2, to where only the first one leads.
 TEST(Estimation, WhatACurveFeelsAwayFromTheStartAloneCounts) {
   Bench b = line();
   b.problem.unknowns[0] = {.from = 0.0, .to = 10.0, .start = 0.5};
@@ -179,7 +179,7 @@ TEST(Estimation, ASearchLeavesTheMiddleOfAnEvenResponse) {
   EXPECT_LT(*r.starts[1].objective, 1e-6);
 }
 
-/// The deviation of exp(-x/u) in closed form, in bounds of any width.
+/// Deviation of exp(-x/u) in closed form, in bounds of any width.
 TEST(Estimation, WideBoundsChangeNoDeviation) {
   for (const double to : {1.0, 30.0, 100.0}) {
     Bench b = line();
@@ -227,7 +227,7 @@ TEST(Estimation, ReadingsPlusAConstantMoveTheOffsetAlone) {
   EXPECT_NEAR(near.unknowns[1].estimate->value + 10200.0, far.unknowns[1].estimate->value, 1e-5);
 }
 
-/// A probe's zero of many ranges is none of its noise.
+/// A large zero offset of a probe does not count as its noise.
 TEST(Estimation, TheLeastDeviationKnowsNoZeroOfAProbe) {
   const auto deviation = [](double shift) {
     Bench b = with_offset(0.0);
@@ -254,7 +254,7 @@ TEST(Estimation, RobustLossesSolveTheirOwnEquations) {
     b.problem.curves[0].loss = loss;
     const Result r = b.solved();
     ASSERT_EQ(r.status, Status::converged);
-    // sum psi x = 0 and sum psi r = kappa q, psi from its definition.
+    // sum psi x = 0 and sum psi r = kappa q, with psi from its definition.
     double pull = 0.0, spread = 0.0;
     for (std::size_t i = 0; i < 6; ++i) {
       const double z = r.curves[0].residual[i] / r.curves[0].deviation[i], k = loss.scale;
@@ -344,7 +344,7 @@ TEST(Estimation, WhereTheFunctionHasNoAnswerStepsAreTakenBack) {
 }
 
 TEST(Estimation, ASearchThatIsDrawnToWhereARowHasNoAnswerNamesTheRow) {
-  Bench b = line();  // Whose least squares lie at 2.03.
+  Bench b = line();  // The least squares are at 2.03.
   b.model = [](const auto& u, std::size_t, double x) { return u[0] < 3.0 && x > 3.5 ? std::nan("") : u[0] * x; };
   const Result r = b.solved();
   EXPECT_EQ(r.status, Status::iteration_limit);
@@ -404,7 +404,7 @@ TEST(Estimation, IntervalsHoldTheTruthAsOftenAsTheySay) {
     }
   }
   const double share = static_cast<double>(held) / all;
-  // Of 120 intervals at 90 % the share strays by 2.7 %.
+  // For 120 intervals at 90 % the share has a deviation of 2.7 %.
   const double allowed = test::thorough() ? 0.03 : 0.085;
   EXPECT_NEAR(share, 0.9, allowed);
 }

@@ -1,4 +1,4 @@
-// The program while the clock jumps: at every reading, back, ahead and to before 1970.
+// The program with a jumping clock: at every reading, back, ahead and to before 1970.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ optimize:
                          "env -u SOURCE_DATE_EPOCH PRS_CACHE_DIR='" + cache.string() + "' " + environment);
   }
 
-  /// What is written and printed is the same with and without jumps, but for a journal: how many
-  /// designs it takes at once is a question of time. What `after` makes of it is the same again.
+  /// Checks that files and output are the same with and without jumps, except a journal, whose blocks depend on time.
+  /// The result of `after` on it is the same again.
   void expect_same(const std::string& arguments, const std::string& after = {}) const {
     SCOPED_TRACE(arguments);
     const auto written = [&](const std::string& environment) {
@@ -84,7 +84,7 @@ TEST_F(JumpingClock, ShowsInTheDateOfAPageAndTheTimeThatIsLeft) {
 
   if (test::run_prs("--version\"", folder, "script -qec \"env ").status != 0)
     GTEST_SKIP() << "needs pseudo-terminals: `script` has none";
-  // On a terminal, where some hours pass while 200 designs are computed.
+  // On a terminal, with some hours passing while 200 designs are computed.
   const test::Outcome run = test::run_prs("study study.yaml --output shown\"", folder, "script -qec \"env " + kJumps);
   EXPECT_EQ(run.status, 0) << run.out;
   EXPECT_THAT(run.out, HasSubstr("0.0 a second, 0:00 left"));
@@ -107,7 +107,7 @@ TEST_F(JumpingClock, LeavesTheCacheOfMatrices) {
   const std::string expected = prs(arguments, "").out;
   const auto kept = test::files_in(cache);
   ASSERT_FALSE(kept.empty());
-  for (const int years : {-60, 60}) {  // Written before the clock was set.
+  for (const int years : {-60, 60}) {  // The files are written before the clock is set.
     for (const auto& file : fs::directory_iterator(cache))
       fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::years(years));
     EXPECT_EQ(prs(arguments, kJumps).out, expected);

@@ -1,4 +1,4 @@
-// Every command that writes files, where they may not grow: `ulimit -f`.
+// Every command that writes files, with a limit on their size: `ulimit -f`.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class FileSizeLimit : public testing::TestWithParam<const char*> {
     ASSERT_EQ(shard.status, 0) << shard.err;
   }
 
-  /// Runs the command; no file of it grows beyond so many bytes.
+  /// Runs the command with a limit on the size of its files.
   test::Outcome run(const fs::path& folder, std::size_t bytes) const {
     std::string arguments = GetParam();
     const auto put = [&](const std::string& word, const fs::path& path) {
@@ -73,8 +73,8 @@ TEST_P(FileSizeLimit, IsToldAndLeavesWholeFilesOnly) {
   const Files expected = files_in(temporary.path() / "unlimited");
   std::size_t largest = 0;
   for (const auto& [name, content] : expected) largest = std::max(largest, content.size());
-  // The message has to find room as well. The largest file is a picture in many of the commands; an
-  // SVG is whole without the two line breaks at its end.
+  // The message must fit as well. The largest file is a picture in many of the commands; an SVG is complete without the
+  // two line breaks at its end.
   std::vector<std::size_t> limits{largest / 2};
   if (!test::sanitized()) limits.insert(limits.end(), {400, largest - 3});
   for (const std::size_t bytes : limits) {
@@ -84,8 +84,8 @@ TEST_P(FileSizeLimit, IsToldAndLeavesWholeFilesOnly) {
     EXPECT_EQ(limited.status, 1);
     EXPECT_THAT(limited.err, HasSubstr("cannot write '"));
     for (const auto& [name, content] : files_in(folder)) {
-      if (name.ends_with(".journal")) continue;  // The same command goes on with it.
-      if (name == prs::kFileList) {              // It names what was written.
+      if (name.ends_with(".journal")) continue;  // Another run of the command continues it.
+      if (name == prs::kFileList) {              // The list names the written files.
         EXPECT_TRUE(nlohmann::json::accept(content)) << content;
         continue;
       }

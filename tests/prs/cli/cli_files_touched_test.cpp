@@ -1,4 +1,4 @@
-// Which files `prs solve` opens, as the kernel sees it: `strace`.
+// Files that `prs solve` opens, as the kernel reports them: `strace`.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,8 +41,7 @@ std::string unescaped(const std::string& name) {
   return plain;
 }
 
-/// The files that succeeding calls opened or changed, absolute; what only asks whether a file
-/// exists is left out.
+/// Files that succeeding calls opened or changed, absolute; calls that only check whether a file exists are left out.
 Touched touched(const std::string& log, const fs::path& working) {
   static const std::regex call(R"re(^\d+ +(\w+)\((.*)\) += (-?\d+)(?:<([^>]*)>)?)re");
   static const std::regex named(R"re((?:(?:AT_FDCWD|\d+)<([^>]*)>, )?"([^"]*)")re");
@@ -72,7 +71,7 @@ Touched touched(const std::string& log, const fs::path& working) {
   return all;
 }
 
-/// Those that lie below none of the folders.
+/// Files outside all folders.
 std::vector<std::string> outside(const std::set<std::string>& files, const std::vector<fs::path>& folders) {
   std::vector<std::string> found;
   for (const std::string& file : files)
@@ -102,7 +101,7 @@ TEST(SolveUnderStrace, TouchesInputOutputAndCacheAlone) {
   EXPECT_THAT(files.written, Contains(EndsWith("output/load_cases.csv")));
   EXPECT_THAT(outside(files.written, {output, cache, "/dev/null"}), testing::IsEmpty());
   EXPECT_THAT(files.read, Contains((input / "case.yaml").string()));
-  // Programs are read too, with the libraries of the system and what it says of itself.
+  // Programs are read too, with the libraries of the system and its own information.
   const fs::path program = fs::canonical(test::program()).parent_path().parent_path().parent_path();
   EXPECT_THAT(outside(files.read, {input, output, cache, program, "/lib", "/lib64", "/usr/lib", "/usr/local/lib",
                                    "/etc/ld.so.cache", "/etc/ld.so.preload", "/proc", "/sys/devices/system", "/dev"}),

@@ -1,4 +1,4 @@
-// The program where memory is scarce.
+// The program with little memory.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Runs `prs ARGUMENTS` without a cache; no memory of more than so many bytes at once.
+/// Runs `prs ARGUMENTS` without a cache and with a limit on the memory allocated at once.
 test::Outcome run_scarce(const std::string& arguments, std::size_t bytes) {
   return test::run_prs(
       arguments, PRS_SOURCE_DIR,
@@ -29,7 +29,7 @@ TEST(ScarceMemory, IsToldAlsoOfTheCommandLine) {
 }
 
 TEST(ScarceMemory, IsNoVerdictOnAMatrix) {
-  // From the first arrays to the last factors of the grooved bodies, which CHOLMOD keeps.
+  // Limits from the first arrays to the last factors of the grooved bodies, which CHOLMOD keeps.
   const std::string command = "solve configs/13_three_models.yaml --set model.bodies=influence";
   for (const std::size_t bytes : {100'000, 300'000, 1'000'000, 3'000'000, 10'000'000, 30'000'000}) {
     SCOPED_TRACE(bytes);

@@ -1,4 +1,4 @@
-// The program with standard streams that are closed, full or read by nobody.
+// The program with standard streams that are closed, full or without a reader.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using testing::HasSubstr;
 enum class Stream { open, closed, full, gone };
 constexpr Stream kStreams[] = {Stream::open, Stream::closed, Stream::full, Stream::gone};
 
-/// What the program is started with.
+/// Streams with which the program is started.
 struct Streams {
   bool in = true;
   Stream out = Stream::open;
@@ -87,7 +87,7 @@ class StandardStreams : public testing::Test {
 };
 
 TEST_F(StandardStreams, DecideTheStatusOnlyWhereTheResultGetsLost) {
-  // Without a word on standard error, with warnings, with an error.
+  // Cases: no message on standard error, warnings, an error.
   for (const std::string arguments :
        {"solve configs/01_config_1_to_3.yaml --json --quiet", "solve configs/01_config_1_to_3.yaml --json",
         "solve configs/missing.yaml --json"}) {
@@ -104,7 +104,7 @@ TEST_F(StandardStreams, DecideTheStatusOnlyWhereTheResultGetsLost) {
       if (!lost) {
         EXPECT_EQ(run.err, undisturbed.err);
       } else if (streams.out == Stream::gone) {
-        EXPECT_EQ(run.err, "");  // Who pipes into `head` knows.
+        EXPECT_EQ(run.err, "");  // Users who pipe into `head` need no message.
       } else {
         EXPECT_THAT(run.err, HasSubstr("prs: error: cannot write to standard output: "));
       }

@@ -1,4 +1,4 @@
-// The program as a user runs it: exit statuses, what goes to which stream, files.
+// The program as a user runs it: exit statuses, streams, files.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -263,7 +263,7 @@ TEST_F(CommandLine, StudyWritesARowADesign) {
   const fs::path files = folder / "study";
   const Outcome run = prs("study configs/10_parametric_study.yaml --output '" + files.string() + "'");
   EXPECT_EQ(run.status, 0);
-  EXPECT_EQ(run.err, "");  // No progress but on a terminal.
+  EXPECT_EQ(run.err, "");  // Progress is shown on a terminal only.
   EXPECT_NE(run.out.find("* as in the file"), std::string::npos);
   for (const char* name : {"study.csv", "study.json", "plots/01_screw_diameter.svg"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
@@ -328,7 +328,7 @@ TEST_F(CommandLine, SolveSaysThatItLeavesThePreloadOut) {
   EXPECT_NE(run.err.find("without preload"), std::string::npos) << run.err;
 }
 
-/// Files below a folder but for hidden ones, with their contents.
+/// Files below a folder except hidden ones, with their contents.
 std::map<std::string, std::string> results_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -354,7 +354,7 @@ TEST_F(CommandLine, AFolderHoldsTheResultsOfOneCase) {
   expected["notes.txt"] = "mine";
   EXPECT_TRUE(results_in(folder / "used") == expected);
 
-  // Commands on one case add to each other.
+  // Commands on one case complement each other.
   for (const char* command : {"check", "contact"}) ASSERT_EQ(prs(command + lesson + used).err, "");
   for (const auto& [name, content] : expected) EXPECT_TRUE(fs::exists(folder / "used" / name)) << name;
 }
@@ -364,7 +364,7 @@ TEST_F(CommandLine, NamesReachTheTerminalWithoutControls) {
   const std::vector<std::string> forbidden = {"\x1b",   "\x7f",   "\u0085", "\u009b", "\u202e",
                                               "\u2066", "\u200b", "\u2028", "\ufeff", "\xff"};
   const std::string file = " configs/09_slip_and_dissipation.yaml ";
-  // Without what is no UTF-8, which YAML refuses.
+  // Without bytes that are not UTF-8, which YAML refuses.
   const std::string name = file + " --set 'load_cases[0].name=\"" + nasty.substr(0, nasty.find('\xff')) + "b\"'";
   std::vector<std::string> commands = {"solve " + file + "--set 'mechanism." + nasty + "=1'",
                                        "solve '" + nasty + "'",

@@ -157,7 +157,7 @@ TEST(Usage, WithoutACommandTheCommandsStandByPurpose) {
     EXPECT_THAT(run.err, HasSubstr(said));
 }
 
-/// Calls `see` with each command, those of commands too: `study merge`.
+/// Calls `see` with each command, including subcommands: `study merge`.
 void for_each_command(const nlohmann::json& program,
                       const std::function<void(const std::string&, const nlohmann::json&)>& see) {
   for (const nlohmann::json& command : program.value("commands", nlohmann::json::array())) {
@@ -186,7 +186,7 @@ TEST(Help, ManualAndHelpHaveEveryOptionOfEveryCommand) {
     const Outcome help = run_prs("help " + name), manual = run_prs("manual " + name);
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.err, "");
-    if (name != "validate") {  // A program of its own, with the same table.
+    if (name != "validate") {  // A separate program with the same table.
       EXPECT_EQ(run_prs(name + " --help").out, help.out);
     }
     EXPECT_THAT(help.out, HasSubstr("\nExamples:\n  "));
@@ -223,7 +223,7 @@ TEST(StandardInput, IsACaseLikeAFile) {
   EXPECT_EQ(piped.status, 0);
   const auto cases = [](const Outcome& run) { return nlohmann::json::parse(run.out)["load_cases"]; };
   EXPECT_EQ(cases(piped), cases(file));
-  // The history stands beside the current folder's files.
+  // The history is beside the current folder's files.
   const std::string life = "life - --json --quiet <14_flight_spectrum.yaml";
   EXPECT_EQ(run_prs(life, PRS_SOURCE_DIR "/configs").status, 0);
   EXPECT_THAT(run_prs("check - --set mechanism.lead=5 <configs/01_config_1_to_3.yaml").err,
@@ -237,7 +237,7 @@ TEST(StandardInput, IsAlsoThatOfAStudyInAFolder) {
   ASSERT_EQ(run_prs("solve -" + output + "<configs/10_parametric_study.yaml").status, 0);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "study.json"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "result.json"));
-  // Another case: what the first one left is out of date.
+  // Another case: the files of the first one are out of date.
   ASSERT_EQ(run_prs("check -" + output + "<configs/01_config_1_to_3.yaml").status, 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "result.json"));
 }
@@ -249,7 +249,7 @@ TEST(Interrupt, EndsEveryCommandWithStatus130) {
   const FileDescriptor end(::open(pipe.c_str(), O_RDWR | O_CLOEXEC));
   test::Process process({"sh", "-c", "exec '" + std::string(test::program()) + "' solve - <" + pipe});
   ASSERT_EQ(::write(end.get(), "a", 1), 1);
-  // It has come as far as reading the case.
+  // The program has then reached the reading of the case.
   for (int unread = 1; unread > 0;) ASSERT_EQ(::ioctl(end.get(), FIONREAD, &unread), 0);
   process.signal(SIGINT);
   EXPECT_EQ(process.wait(), 130);
@@ -272,7 +272,7 @@ TEST(Explain, SaysWhatAMeasureOrAResultIs) {
   for (const auto& place : found) EXPECT_EQ(place["key"], "peak_pressure_MPa");
 }
 
-/// What bash offers for the last of these words.
+/// Completions of bash for the last of these words.
 std::vector<std::string> completed(const std::vector<std::string>& words) {
   std::string line = "PATH=\"$(dirname '" + std::string(test::program()) + "'):$PATH\"; " +
                      "source <(prs completion bash); COMP_WORDS=(prs";

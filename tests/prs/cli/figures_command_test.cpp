@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Whether each picture of the documents is as the schema says; jsonschema's verdict.
+/// Whether each picture of the documents conforms to the schema, by jsonschema.
 bool agree(const std::filesystem::path& schema, const std::filesystem::path& documents) {
   const std::string command =
       "python3 -c 'import json, sys; from jsonschema import Draft202012Validator as V\n"

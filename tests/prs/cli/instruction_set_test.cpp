@@ -1,4 +1,4 @@
-// The variable PRS_INSTRUCTION_SET of the environment, as the program takes it.
+// Effect of the environment variable PRS_INSTRUCTION_SET on the program.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -30,7 +30,7 @@ class NewCase : public testing::Test {
   }
   std::string text(const char* file) const { return test::content_of(folder.path() / file); }
 
-  /// The documents of all commands that the case must have all for, each without error.
+  /// Documents of all commands for which the case must have all inputs, each without error.
   nlohmann::json documents(const std::string& file) const {
     nlohmann::json all;
     for (const char* command : {"check", "contact", "solve", "slip", "measures", "life"}) {
@@ -41,7 +41,7 @@ class NewCase : public testing::Test {
     return all;
   }
 
-  /// What commands find unusual: nothing under the load that the case proposes.
+  /// Warnings of commands: none under the load that the case proposes.
   static std::vector<std::string> unusual(const nlohmann::json& documents) {
     std::vector<std::string> found;
     const auto note = [&](const nlohmann::json& warnings) {
@@ -76,7 +76,7 @@ TEST_F(NewCase, EveryScrewOfACatalogueRunsThroughAllCommandsNearTheMakersNumbers
     EXPECT_GE(found["life"]["life"]["static_safety"], 1.5) << s.name;
     const auto measure = [&](const char* key) { return found["measures"]["measures"][key].get<double>(); };
     EXPECT_THAT(measure("static_capacity_N") / s.static_capacity, between(0.5, 1.8)) << s.name;
-    if (s.screw.screw_diameter > 7e-3) {  // See SOURCE.md on the screw of 4 mm.
+    if (s.screw.screw_diameter > 7e-3) {  // For the screw of 4 mm see SOURCE.md.
       EXPECT_THAT(measure("dynamic_capacity_N") / s.dynamic_capacity, between(0.6, 1.6)) << s.name;
     }
     if (s.weight_digit <= 0.1 * s.weight) {
@@ -258,7 +258,7 @@ TEST_F(NewCase, ALessonComesWithTheFilesThatItReads) {
     EXPECT_EQ(text(file.c_str()), test::content_of(PRS_SOURCE_DIR "/configs/14_flight_spectrum.yaml"));
     EXPECT_EQ(prs("life " + file + " --quiet").status, 0);
   }
-  // The history stands in the way.
+  // The existing history prevents it.
   const test::Outcome again = prs("new --lesson 14 by_14/other.yaml");
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("14_flight_spectrum.csv"));

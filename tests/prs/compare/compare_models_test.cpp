@@ -88,7 +88,7 @@ TEST(CompareModels, EqualSharesAreLeftOut) {
                input::InputError);
 }
 
-/// No test's case has matrices in the cache before it asks for them.
+/// No other test has matrices of this case in the cache before it requests them.
 TEST(CompareModels, InfluenceIsThereWhereItsMatricesAre) {
   SKIP_UNDER_SANITIZERS();
   const std::vector<std::string> fewer = {"mechanism.contacts_per_roller=3",
@@ -105,7 +105,7 @@ TEST(CompareModels, InfluenceIsThereWhereItsMatricesAre) {
   EXPECT_EQ(shared_matrix_cache().computed(), computed);
 }
 
-/// The sector knows neither tilt nor bearing: it is the screw under its axial force.
+/// A sector has neither tilt nor bearing: it is the screw under its axial force.
 TEST(CompareModels, AFullMechanismStandsNextToASector) {
   const ModelComparison c = compare_models(compared_lesson("24_misalignment.yaml"));
   ASSERT_EQ(c.models.size(), 2u);

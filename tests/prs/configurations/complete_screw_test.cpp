@@ -52,8 +52,8 @@ TEST(CompleteScrew, DimensionsFollowTheRules) {
   EXPECT_EQ(s.gears.front().body_teeth, 100);
 }
 
-/// Outer diameters of the catalogue (screws.csv) where it prints them: to its last digit up to
-/// 36 mm; crests of larger screws are up to 0.05 p higher.
+/// Outer diameters of the catalogue (screws.csv), if printed: to the last digit up to 36 mm; crests of larger screws
+/// are up to 0.05 p higher.
 TEST(CompleteScrew, TheOuterDiameterIsThatOfTheCatalogue) {
   struct Printed {
     double diameter, lead;
@@ -93,7 +93,7 @@ TEST(CompleteScrew, TheLoadGivesAModeratePressureWithEqualShares) {
     const double normal_load = s.load / (m.rollers * m.contacts_per_roller) / std::cos(contact.normal_angle());
     highest = std::max(highest, contact::at_load(contact.hertz, normal_load).peak_pressure);
   }
-  EXPECT_NEAR(highest / 1.8e9, 1.0, 0.02);  // A load of two digits.
+  EXPECT_NEAR(highest / 1.8e9, 1.0, 0.02);  // The load has two digits.
 }
 
 TEST(CompleteScrew, AnInvertedScrewLooksLikeThePublishedOne) {
@@ -104,7 +104,7 @@ TEST(CompleteScrew, AnInvertedScrewLooksLikeThePublishedOne) {
   EXPECT_NEAR(s.pitch_diameter.roller, 7e-3, 1e-15);
   EXPECT_NEAR(s.pitch_diameter.nut, 35e-3, 0.1e-3);
   EXPECT_NEAR(s.c.structure->nut.outer_diameter, 46e-3, 1e-12);
-  EXPECT_GT(s.c.structure->nut.length, 2.0 * 20 * 5e-3 / 3);  // Room to travel.
+  EXPECT_GT(s.c.structure->nut.length, 2.0 * 20 * 5e-3 / 3);  // Space to travel.
 }
 
 TEST(CompleteScrew, ALeftHandedScrewHasTheSameNumbers) {
@@ -152,7 +152,7 @@ std::vector<Impossible> impossible_screws() {
   return all;
 }
 
-/// Lengths in mm, forces in kN, other numbers as they are.
+/// Lengths in mm, forces in kN, other numbers unchanged.
 void set(ScrewData& d, const std::string& member, double value) {
   if (member == "lead") d.lead = 1e-3 * value;
   if (member == "starts") d.starts = static_cast<int>(value);

@@ -94,7 +94,7 @@ TEST(Configurations, AbeviScrew) {
   EXPECT_NEAR(c.pitch_diameter.nut - 35 * mm, 0.064 * mm, 6e-4 * mm);
 }
 
-/// What `prs check` would find unusual in a case.
+/// Warnings of `prs check` on a case.
 std::vector<std::string> unusual(const std::string& text) {
   const Case c = input::read_case_text(text, "case.yaml", {}, Command::solve);
   return sentences(geometry_warnings(c, find_contacts(c.mechanism, c.materials), c.load_cases));
@@ -220,8 +220,8 @@ double mismatch(const Configuration& c, Part body, int i, int rollers, double tu
   return crest - groove;
 }
 
-/// Whether all rollers meet the grooves of a body at the same height, each turned by `indexing`
-/// against the one before it.
+/// Whether all rollers meet the grooves of a body at the same height, each turned by `indexing` against the previous
+/// one.
 bool all_mesh(const Configuration& c, Part body, int rollers, double indexing) {
   const double pitch = axial_pitch(c.mechanism);
   const double first = mismatch(c, body, 0, rollers, 0.0);
@@ -257,7 +257,7 @@ TEST(GearPairs, MeshInTheTurnThatTheThreadsAskFor) {
         const double turn = indexing_angle(m.type, m.starts, n);
         const double sense = m.type == standard ? -1.0 : 1.0;
         for (int i = 0; i < n; ++i) {
-          // A tooth of the pinion every 2 pi/z_R from its mark, seen in the line of centres.
+          // Phase of a tooth of the pinion every 2 pi/z_R from its mark, in the line of centres.
           const double phase = (pair.roller_teeth * (-turn * i) + sense * pair.body_teeth * 2 * pi * i / n) / (2 * pi);
           EXPECT_NEAR(std::remainder(phase, 1.0), 0.0, 1e-9) << pair.roller_teeth << ' ' << n;
         }
@@ -273,7 +273,7 @@ TEST(GearPairs, RunWithoutBacklashAtTheCentreDistance) {
       const Mechanism& m = c.mechanism;
       EXPECT_EQ(pair.body_teeth * m.starts.roller, pair.roller_teeth * m.starts.screw);
       const bool internal = m.type == standard;
-      // Thickness [rad of the gear's turn] at the operating circle; of a ring gear's gap, the same.
+      // Thickness [rad of the gear's turn] at the operating circle; for a ring gear that of the gap.
       const auto thickness = [&](int teeth, double shift) {
         return (pi + 4 * shift * std::tan(alpha)) / teeth +
                2 * (involute(alpha) - involute(pair.working_pressure_angle));

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 std::string lesson_text(const std::string& name) { return test::content_of(PRS_SOURCE_DIR "/configs/" + name); }
 
-/// A question on a lesson by the name that the program is given.
+/// A question on a lesson by the file name that the program gets.
 Json question_of(const std::string& command, const std::string& lesson) {
   return {{"command", command}, {"yaml", lesson_text(lesson)}, {"file", "configs/" + lesson}};
 }
@@ -54,7 +54,7 @@ struct Asked {
 };
 void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.command << ' ' << asked.lesson; }
 
-/// The lines that are not empty.
+/// Lines that are not empty.
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> lines;
@@ -65,20 +65,19 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 class EngineAnswer : public testing::TestWithParam<Asked> {};
 
-/// The program without what earlier runs have kept of bodies.
+/// The program without matrices kept by earlier runs.
 test::Outcome run_program(const std::string& arguments) {
   return test::run_prs(arguments, PRS_SOURCE_DIR, "env PRS_CACHE_DIR=");
 }
 
-/// The program's document without the place of the history, of which the engine knows the name
-/// alone.
+/// The program's document without the path of the history, of which the engine knows only the name.
 std::string without_place(std::string document, const std::string& history) {
   const std::string place = std::string(PRS_SOURCE_DIR "/configs/") + history;
   if (const std::size_t at = document.find(place); at != document.npos) document.replace(at, place.size(), history);
   return document;
 }
 
-/// The program prints the same bytes, says the same and ends with the same status.
+/// The program prints the same bytes and messages and ends with the same status.
 TEST_P(EngineAnswer, IsWhatTheProgramPrints) {
   const auto& [command, lesson] = GetParam();
   Json question = question_of(command, lesson);
@@ -145,7 +144,7 @@ TEST(Engine, TellsThatALoadCaseHasNoEquilibrium) {
 
 TEST(Engine, ReadsNoFile) {
   Json question = question_of("life", "14_flight_spectrum.yaml");
-  question["file"] = PRS_SOURCE_DIR "/configs/14_flight_spectrum.yaml";  // It stands beside it.
+  question["file"] = PRS_SOURCE_DIR "/configs/14_flight_spectrum.yaml";  // The file is beside it.
   EXPECT_THAT(only_message(question),
               AllOf(HasSubstr("life.history.file: got 14_flight"), HasSubstr("give its text under this name")));
 }
@@ -192,7 +191,7 @@ TEST(Engine, RefusesAWrongNewCase) {
     EXPECT_THAT(message("lead", lead), HasSubstr("--lead: got")) << lead;
 }
 
-/// A requirement with the rows of a catalogue alone, which are few.
+/// A requirement with the rows of a catalogue only, which are few.
 Json question_on_catalogue(const std::string& command) {
   Json question = question_of(command, "32_press.yaml");
   question["histories"] = {{"32_press.csv", lesson_text("32_press.csv")}};
@@ -220,7 +219,7 @@ TEST(Engine, ReportsOnARequirement) {
   EXPECT_THAT(sections["candidates"].get<std::string>(), HasSubstr("<table"));
 }
 
-/// What is wrong with a question, and a part of what is said of it.
+/// An error in a question, and a part of its message.
 TEST(Engine, RefusesQuestionsThatItDoesNotKnow) {
   const Json good = question_of("solve", "01_config_1_to_3.yaml");
   const auto with = [&](const char* key, const Json& value) {

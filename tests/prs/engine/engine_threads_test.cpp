@@ -20,14 +20,13 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 
-// What runs side by side, in one process: `scripts/test.sh --threads` runs these under the thread
-// sanitizer.
+// Parallel work in one process: `scripts/test.sh --threads` runs these tests under the thread sanitizer.
 namespace prs {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The same work on two threads at once.
+/// Runs the same work on two threads at once.
 template <class Work>
 void expect_same_on_two_threads(const Work& work) {
   auto other = std::async(std::launch::async, work);
@@ -45,7 +44,7 @@ Json tables() {
 }
 
 TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
+  SKIP_UNDER_SANITIZERS();  // Except under the thread sanitizer (scripts/test.sh --threads).
   const Json histories = tables();
   for (const auto& [command, lesson] :
        std::vector<std::pair<const char*, const char*>>{{"check", "11_real_parts"},
@@ -68,7 +67,7 @@ TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
   }
 }
 
-/// The numbers of all designs, to the last bit.
+/// Numbers of all designs, bit by bit.
 std::vector<std::uint64_t> bits_of(const StoredRows& rows) {
   std::vector<std::uint64_t> bits;
   for (std::size_t k = 0; k < rows.block_count(); ++k)
@@ -86,7 +85,7 @@ std::vector<std::uint64_t> studied(const input::StudyInput& in, std::size_t thre
 }
 
 TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
+  SKIP_UNDER_SANITIZERS();  // Except under the thread sanitizer (scripts/test.sh --threads).
   for (const char* overrides :
        {"study.command=solve", "study.command=slip", "model={bodies: refined}", "model={mechanism: full}"}) {
     const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml");
@@ -103,7 +102,7 @@ TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
 }
 
 TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
+  SKIP_UNDER_SANITIZERS();  // Except under the thread sanitizer (scripts/test.sh --threads).
   const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/22_yao_optimum.yaml");
   const input::OptimizeInput in = input::read_optimize_input(
       input::source_of_text("case.yaml", text, {"optimize.generations=3", "optimize.population=12"}));
@@ -119,7 +118,7 @@ TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
 }
 
 TEST(EngineThreads, TwoThatShareACacheOfMatricesComputeTheSame) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
+  SKIP_UNDER_SANITIZERS();  // Except under the thread sanitizer (scripts/test.sh --threads).
   const Case c = input::read_case_text(
       input::kAbevi, "case.yaml", {"mechanism.contacts_per_roller=2", "model={bodies: influence}"}, Command::solve);
   const Contacts contacts = find_contacts(c.mechanism, c.materials);

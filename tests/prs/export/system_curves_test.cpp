@@ -40,7 +40,7 @@ Evaluated at(const SystemCurves& curves, double deflection) {
   return e;
 }
 
-/// Forces between the nodes, tension > 0; as many more drawn ones.
+/// Forces between the nodes, tension > 0; and `drawn` random ones.
 std::vector<double> forces_up_to(double largest, int drawn = 0) {
   std::vector<double> forces;
   std::mt19937 random(7);
@@ -167,8 +167,7 @@ TEST(SystemCurves, OfAPreloadedNutSayWhatALoadCaseChanges) {
   EXPECT_THAT(warnings(one, std::nullopt), Not(testing::Contains(HasSubstr("changes nothing"))));
 }
 
-/// Where its force holds, if no load case is asked for; under a load that leaves both flanks
-/// closed.
+/// At the position of its force, if no load case is chosen; under a load that leaves both flanks closed.
 TEST(SystemCurves, TorqueOfAPreloadedNutIsThatAtItsPosition) {
   const auto torque = [](const std::string& position, const CurveOptions& options) {
     const Case c =
@@ -227,7 +226,7 @@ void expect_torque_of_slip(Case c) {
       load.axial_force = std::abs(force);
       load.direction = force > 0.0 ? Direction::tension : Direction::compression;
       load.speed = speed;
-      if (std::abs(force) < 0.001 * 20e3) continue;  // Friction is that of a larger force there.
+      if (std::abs(force) < 0.001 * 20e3) continue;  // Below, friction is that of a larger force.
       c.load_cases.push_back(load);
       forces.push_back(force);
     }
@@ -250,7 +249,7 @@ TEST(SystemCurves, TorqueThatDoesNotDependOnTheSpeedIsThatOfSlipAtEach) {
   expect_torque_of_slip(std::move(c));
 }
 
-/// Friction takes power: torque x speed is more than force x travel, in both senses of both.
+/// Friction costs power: torque x speed is more than force x travel, in both senses of both.
 TEST(SystemCurves, FrictionTakesPower) {
   const SystemCurves curves = system_curves(of_friction("{coulomb: 0.08}"), {.force = 20e3});
   const PrsCurves view = curves.view();

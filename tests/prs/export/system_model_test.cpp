@@ -41,7 +41,7 @@ TEST(SystemModel, NamesAreIdentifiers) {
   EXPECT_EQ(model_name("a/12_pre-load.v2.yaml"), "screw_12_pre_load_v2");
   EXPECT_EQ(model_name("Screw.yaml"), "Screw");
   EXPECT_EQ(model_name("<stdin>"), "screw__stdin_");
-  EXPECT_EQ(model_name("model.yaml"), "screw_model");  // A word of Modelica.
+  EXPECT_EQ(model_name("model.yaml"), "screw_model");  // A reserved word of Modelica.
 }
 
 /// The numbers of a list in a Modelica package.

@@ -51,7 +51,7 @@ json fitted_document(const json& input, std::map<std::string, std::string> files
   return document(fit_case(bench_source(input, std::move(files)), {.threads = 1}));
 }
 
-/// All that the solved case has, numbers to 2e-5.
+/// Compares all members of the solved case, numbers to 2e-5.
 void expect_same(const json& found, const json& expected, const std::string& at) {
   if (expected.is_object()) {
     for (const auto& [key, value] : expected.items()) {
@@ -192,14 +192,14 @@ TEST(FitCase, TheFittedFileAnswersWhatWasFitted) {
   const FitResult r = fit_case(source, {.threads = 1});
   const std::string text = fitted_case(r);
   EXPECT_THAT(text, HasSubstr("# coulomb: fitted: standard deviation"));
-  // Fitted again nothing moves.
+  // A second fit changes nothing.
   input::Source again = source;
   again.text = text;
   const FitResult second = fit_case(again, {.threads = 1});
   for (std::size_t j = 0; j < 2; ++j)
     EXPECT_NEAR(*second.found.unknowns[j].value, *r.found.unknowns[j].value,
                 1e-3 * r.found.unknowns[j].estimate->deviation);
-  // A row by the command itself.
+  // A row computed by the command itself.
   input::Source row = again;
   row.overrides = {"load_cases[0].axial_force=4 kN"};
   const Json slip = analysis_of(Command::slip).run(row, input::read_case_input(row, Command::slip)).document({});
@@ -416,7 +416,7 @@ TEST(FitCase, AReversalTellsPlayAndFriction) {
   ASSERT_EQ(found["status"], "converged");
   EXPECT_NEAR(found["parameters"][0]["value"].get<double>(), 30.0, 1e-3);
   EXPECT_NEAR(found["parameters"][1]["value"].get<double>(), 0.1, 1e-6);
-  // Interpolated between samples of 0.1 ms it would be off by 1e-5.
+  // Interpolation between samples of 0.1 ms would have errors of 1e-5.
   EXPECT_LT(found["curves"][0]["rms"].get<double>(), 1e-7);
   EXPECT_EQ(found["curves"][0]["command"], "response");
   EXPECT_LT(found["curves"][1]["rms"].get<double>(), 1e-3);
@@ -443,7 +443,7 @@ TEST(FitCase, SeriesOfADriveStandOverItsTime) {
               HasSubstr("motion.csv:3:3: error: response.time_s: got 0.055 s"));
 }
 
-/// Where the program has exact derivatives, the deviations of a fit are theirs.
+/// If the program has exact derivatives, the deviations of a fit follow from them.
 TEST(FitCase, DeviationsAreThoseOfExactDerivatives) {
   json input = input_of("play-on-the-bench");
   input.erase("preload"), input.erase("fit");
@@ -482,8 +482,8 @@ TEST(FitCase, DeviationsAreThoseOfExactDerivatives) {
                 1e-4);
 }
 
-/// Benches of a real screw with a known truth: torque over force, travel through play with a probe's
-/// zero. Deviations are stated or estimated, without outliers or with some under a robust loss.
+/// Benches of a real screw with a known truth: torque over force, travel through play with a probe's zero offset.
+/// Deviations are stated or estimated, without outliers or with some under a robust loss.
 TEST(FitCase, IntervalsHoldTheTruthOfAScrewAsOftenAsTheySay) {
   json input = input_of("play-on-the-bench");
   const json torque = input_of("friction-on-the-bench");
@@ -538,7 +538,7 @@ TEST(FitCase, IntervalsHoldTheTruthOfAScrewAsOftenAsTheySay) {
   }
   const double share = static_cast<double>(held) / all;
   RecordProperty("share", std::to_string(share));
-  // Of 240 intervals the share strays by 2 %; under sanitizers there are fewer.
+  // For 240 intervals the share has a deviation of 2 %; under sanitizers there are fewer.
   EXPECT_NEAR(share, 0.9, test::thorough() ? 0.03 : test::sanitized() ? 0.1 : 0.05);
 }
 

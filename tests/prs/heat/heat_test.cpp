@@ -25,7 +25,7 @@ Heat some_heat() {
   return heat;
 }
 
-/// Sandu's example in ISO VG 220, without a temperature of its own.
+/// Sandu's example in ISO VG 220, without a stated temperature.
 Case warm_reference() {
   Case c = test::sandu_reference();
   c.lubricant = Lubricant{};
@@ -72,7 +72,7 @@ Case warm_solved() {
   return c;
 }
 
-/// Heat into screw, rollers and nut [W] at these temperatures, without what `heat` computes by.
+/// Heat into screw, rollers and nut [W] at these temperatures, without the functions of `heat`.
 Eigen::Vector3d plain_heat(const Case& c, const Contacts& contacts, const Eigen::Vector3d& t, std::size_t k = 0) {
   const LoadCase& load = c.load_cases[k];
   Oils oils;
@@ -97,7 +97,7 @@ Eigen::Vector3d plain_heat(const Case& c, const Contacts& contacts, const Eigen:
   return {p.screw / 2 + p.carrier_screw, p.screw / 2 + p.nut / 2 + p.carrier_roller, p.nut / 2 + p.carrier_nut};
 }
 
-/// What flows from each part, link by link [W].
+/// Heat flow from each part, link by link [W].
 Eigen::Vector3d plain_flow(const Heat& h, const Eigen::Vector3d& t) {
   const Heat::Conductance& k = h.conductance;
   const double a = h.ambient;
@@ -106,7 +106,7 @@ Eigen::Vector3d plain_flow(const Heat& h, const Eigen::Vector3d& t) {
           k.nut_ambient * (t[2] - a) + k.rollers_nut * (t[2] - t[1])};
 }
 
-/// Slow and plain: small steps towards the balance, part by part.
+/// Simple and slow: small steps towards the balance, part by part.
 Eigen::Vector3d plain_steady(const Case& c, const Contacts& contacts) {
   const Heat::Conductance& k = c.heat->conductance;
   const Eigen::Vector3d own(k.screw_ambient + k.screw_rollers, k.rollers_ambient + k.screw_rollers + k.rollers_nut,
@@ -231,7 +231,7 @@ TEST(Heat, SaysWhyAllRollersDoNotHoldTheLoad) {
   EXPECT_THAT(found.heat->reason, ::testing::HasSubstr("flanks that only push"));
 }
 
-/// Heat of one temperature: in halves to screw and nut by way of their oils.
+/// Heat source of one temperature: in halves to screw and nut by way of their oils.
 HeatSource lumped(double (*power)(double)) {
   const auto at = [power](const PerInterface<double>& oil) -> std::optional<OfParts> {
     const double screw = power(oil.screw), nut = power(oil.nut);
@@ -255,7 +255,7 @@ TEST(SteadyHeat, TheStateReachedFromAmbientIsTheCoolest) {
   ASSERT_TRUE(found.converged());
   EXPECT_NEAR(found.temperature[1], 310.0, 0.1);
   EXPECT_TRUE(found.others);
-  // From above the other one is reached.
+  // A start from above reaches the other one.
   const SteadyHeat hot = find_steady_heat(tight_network(), lumped(+power), OfParts::Constant(420.0));
   ASSERT_TRUE(hot.converged());
   EXPECT_NEAR(hot.temperature[1], 400.0, 0.1);
@@ -367,7 +367,7 @@ TEST(HeatCycle, ConstantLossesGiveTheClosedFormOfALinearNetwork) {
   EXPECT_GT(k.nut_ambient, 0.0);
 }
 
-/// One load case of 35 kN, and one of 10 kN the other way at twice the speed.
+/// One load case of 35 kN, and one of 10 kN in the other direction at twice the speed.
 Case two_loads(Case c) {
   c.load_cases[0].name = "pull";
   LoadCase back = c.load_cases[0];
@@ -486,7 +486,7 @@ TEST(HeatCycle, NeitherLongStepsNorLightPartsEndIt) {
 }
 
 TEST(HeatCycle, PeaksBetweenTheStepsCount) {
-  // As the rest begins the rollers are hotter than the screw and warm it on for a while.
+  // At the start of the rest the rollers are hotter than the screw and warm it for a while.
   Case c = with_duty(test::with_coulomb(two_loads(warm_reference()), 0.08),
                      {acting("pull", 30.0), acting("return", 20.0), rest(300.0)});
   c.lubricant.reset();
@@ -522,14 +522,14 @@ TEST(HeatCycle, PeaksBetweenTheStepsCount) {
 
 TEST(HeatCycle, EfficiencyIsWhatComesOutOverWhatGoesIn) {
   SKIP_UNDER_SANITIZERS();
-  // A load that drives a screw with much friction: all that flows in is lost.
+  // A load that drives a screw with much friction: all input is lost.
   Case locking = test::left_handed(test::with_coulomb(warm_reference(), 0.5));
   locking.mechanism.lead = -2e-3;
   locking = with_duty(locking, {acting("reference", 50.0), rest(50.0)});
   const HeatCycle held = cycle_of(locking);
   EXPECT_FALSE(held.efficiency);
   EXPECT_GT(held.energy_in, 0.0);
-  // With an imposed slip ratio more is lost than powers of shaft and load tell.
+  // With an imposed slip ratio more is lost than the powers of shaft and load show.
   Case imposed = test::with_coulomb(warm_reference(), 0.08);
   imposed = with_duty(imposed, {acting("reference", 50.0), rest(50.0)});
   const Result free = analyze_heat(imposed);

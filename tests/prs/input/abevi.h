@@ -4,7 +4,7 @@
 
 namespace prs::input {
 
-/// The threads of Abevi 2015's screw, of a case whose mechanism goes on with the rollers.
+/// Threads of Abevi 2015's screw, for a case whose mechanism continues with the rollers.
 inline const std::string kAbeviThreads = R"(mechanism:
   type: inverted
   lead: 5 mm
@@ -15,7 +15,7 @@ inline const std::string kAbeviThreads = R"(mechanism:
   profile: {screw: straight, roller: {convex: 4.949747468 mm}, nut: straight}
 )";
 
-/// A short one, with a plain nut, of a case that goes on with what it asks for.
+/// A short version, with a plain nut, for a case that continues with its own blocks.
 inline const std::string kShortAbevi = kAbeviThreads + R"(  rollers: 11
   contacts_per_roller: 4
 structure:

@@ -21,7 +21,7 @@ Reasons assumed_in(const std::string& text, std::vector<std::string> overrides =
   return assumptions(read_case_input(source, Command::check).fields, source);
 }
 
-/// A case of which screw diameter and lead alone are given.
+/// A case for which only screw diameter and lead are given.
 std::string new_case() {
   return screw_case(complete_screw({.screw_diameter = 25e-3, .lead = 5e-3}), {}, "Given: two.");
 }
@@ -32,7 +32,7 @@ std::string with(std::string text, const std::string& old, const std::string& no
   return at == text.npos ? text : text.replace(at, old.size(), now);
 }
 
-/// The paths that `a` has and `b` has not.
+/// Paths in `a` that `b` lacks.
 std::vector<std::string> only_in(const Reasons& a, const Reasons& b) {
   std::vector<std::string> paths;
   for (const auto& [path, reason] : a)
@@ -72,7 +72,7 @@ TEST(Assumptions, StayWithTheirValuesWhereOthersAreEdited) {
   const std::string text = new_case();
   const Reasons before = assumed_in(text);
   EXPECT_EQ(assumed_in(with(text, "\nmechanism:", "\n\n# of mine\nmechanism:  # mine")), before);
-  // The same, one line each.
+  // The reasons, one per line.
   EXPECT_EQ(
       assumed_in(with(text, "\n  starts: {screw: 5, roller: 1}", "\n  starts:\n    roller: 1  # one\n    screw: 5")),
       before);

@@ -17,7 +17,7 @@ Rows rows_of(std::string_view text) {
   return rows;
 }
 
-/// What is wrong with a text, after the offset of the culprit.
+/// Error of a text, after its offset.
 std::string csv_error_of(std::string_view text) {
   try {
     rows_of(text);
@@ -48,11 +48,11 @@ TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
   EXPECT_TRUE(rows_of("# nothing").empty());
 }
 
-/// As a German spreadsheet writes them.
+/// Numbers as in German spreadsheets.
 TEST(CsvReader, ReadsDecimalCommasBetweenSemicolonsAndTabs) {
   EXPECT_EQ(rows_of("\xEF\xBB\xBFZeit;Kraft [kN]\r\n0,5;1.234,5\r\n-12.000;+3,25e-3\r\n"),
             (Rows{{"Zeit", "Kraft [kN]"}, {"0.5", "1234.5"}, {"-12000", "+3.25e-3"}}));
-  // A column that does not show what its points are; one of zero is no thousand.
+  // A column whose points are ambiguous; a number below one has no thousands.
   EXPECT_EQ(rows_of("a;b\n1,5;1.250\n2;-0.125\n3;0.5\n"),
             (Rows{{"a", "b"}, {"1.5", "1.250 or 1250"}, {"2", "-0.125"}, {"3", "0.5"}}));
   EXPECT_EQ(rows_of("a\tb\n1,5\t1 234,25\n"), (Rows{{"a", "b"}, {"1.5", "1234.25"}}));
@@ -89,7 +89,7 @@ TEST(CsvReader, RefusesWhatCannotBeReadInOneWay) {
   EXPECT_THAT(csv_error_of("a\n1\r2\r3\n"), StartsWith("2: got a carriage return within a line"));
 }
 
-/// One quote too many keeps no more than a row in memory.
+/// A superfluous quote keeps no more than a row in memory.
 TEST(CsvReader, RowsAreBounded) {
   std::string text = "a\n\"";
   while (text.size() < (std::size_t{3} << 20U)) text += "1,2,3\n";

@@ -15,7 +15,7 @@ std::string text_of(const std::string& part, std::size_t bytes) {
   return text;
 }
 
-/// A megabyte; under sanitizers a fifth.
+/// A megabyte; a fifth under sanitizers.
 std::size_t bytes() { return static_cast<std::size_t>(test::samples(1 << 20, 1 << 20)); }
 
 /// Processor time of reading a text [s], and the error.
@@ -40,8 +40,8 @@ double time_of_plain_text() {
   return time;
 }
 
-/// No text takes more than a few times as long as a plain one of its size: what grows with the
-/// square of the size would take 100,000 times as long.
+/// No text takes more than a few times as long as a plain one of its size: a time that grows with the square of the
+/// size would be 100,000 times as long.
 TEST(DocumentTime, AMegabyteOfAnythingIsRefusedAboutAsQuicklyAsPlainTextIsRead) {
   SKIP_UNDER_SANITIZERS();
   const double plain = time_of_plain_text();

@@ -185,7 +185,7 @@ TEST(ReadCase, SpeedsMayBeAlongTheAxis) {
               testing::HasSubstr("rpm, 1/min, rad/s, deg/s, mm/s, m/s, m/min"));
 }
 
-/// What a page shows and a study varies is what was written.
+/// A page shows, and a study varies, the value as written.
 TEST(ReadCase, TheEchoOfASpeedAlongTheAxisHasBoth) {
   const CaseInput in = read_case_input({"case.yaml", kAbevi, {"operation={speed: 200 mm/s}"}}, Command::solve);
   const auto entry = std::ranges::find(in.fields, "operation.speed", &EchoEntry::path);
@@ -266,7 +266,7 @@ TEST(ReadCase, EchoTellsDefaultsFromGivenValues) {
   EXPECT_EQ(entry("lubricant.temperature"), "absent");
 }
 
-/// What is read from the echo of an input must echo the same.
+/// Checks that the echo of an input, read as an input, has the same echo.
 void expect_echo_to_read_the_same(const std::vector<std::string>& others) {
   const CaseInput input = read_case_input({"case.yaml", kAbevi, others}, Command::solve);
   std::vector<std::string> overrides;
@@ -308,7 +308,7 @@ TEST(ReadCase, ALubricantByNameIsShownWithItsValuesAndWhereTheyComeFrom) {
 
 // Broken input ----------------------------------------------------------------------------------
 
-/// The text of the case with a part replaced, a block more or a lubricant, as a row has it.
+/// Text of the case with a part replaced, an additional block or a lubricant, as in a row.
 std::string wrong_case(const std::string& section, std::vector<std::string>& cells) {
   const std::string first = cells[0];
   cells.erase(cells.begin());

@@ -60,7 +60,7 @@ bool reader_accepts(const Sample& sample) {
   }
 }
 
-/// What an independent implementation of JSON Schema says of each sample.
+/// Verdict of an independent implementation of JSON Schema for each sample.
 std::vector<bool> schema_accepts(const std::vector<Sample>& samples) {
   const test::TemporaryDirectory folder;
   const auto question = folder.path() / "question.json", answer = folder.path() / "answer";
@@ -93,14 +93,14 @@ void expect_agreement(const std::vector<Sample>& samples) {
   }
 }
 
-/// What may, or may not, stand at paths.
+/// Adds values that are, or are not, allowed at paths.
 void add(std::vector<Sample>& samples, bool accepted,
          const std::vector<std::pair<std::string, std::vector<std::string>>>& values_at) {
   for (const auto& [path, values] : values_at)
     for (const std::string& value : values) samples.push_back({{path + "=" + value}, accepted});
 }
 
-/// A lubricant with the given keys beside those that always stand.
+/// A lubricant with the given keys besides those that are always there.
 std::string lubricant(const std::string& keys) {
   return "lubricant={pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa, " + keys + "}";
 }
@@ -210,8 +210,8 @@ const std::vector<std::string> kValues{
     "40 deg",   "20 deg", "40 degC", "-7 degC", "0 degC", "7 cSt",          "7 mPa s",       "20 kN",         "3 N m",
     "straight", "equal",  "tension", "{}",      "[]",     "{convex: 5 mm}", "{ring: 1 N/m}", "{coulomb: 0.2}"};
 
-/// Every value of the case replaced by each of many texts: whatever passes the reader must pass the
-/// schema, which is the more lenient of the two.
+/// Every value of the case replaced by each of many texts: all that pass the reader must pass the schema, which is the
+/// more lenient of the two.
 TEST(Schema, NeverRefusesWhatTheReaderTakes) {
   SKIP_UNDER_SANITIZERS();
   if (!validator_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";

@@ -170,7 +170,7 @@ TEST(Units, WhatIsNoQuantityIsRefused) {
     EXPECT_FALSE(parse_quantity(text, unit::length).value) << text;
 }
 
-/// Twenty or twenty thousand; of lengths to the micrometre nobody thinks of thousands.
+/// Twenty or twenty thousand; lengths with three decimals are unambiguous.
 TEST(Units, APointThatMayStandBetweenThousandsIsRefused) {
   for (const char* text : {"20.000 N", "+1.000 kN", "-999.000 N"}) {
     const ParsedQuantity parsed = parse_quantity(text, unit::force);

@@ -21,7 +21,7 @@ std::vector<std::string> warnings_of(const std::string& file, std::vector<std::s
       read_case_input(load_source(PRS_SOURCE_DIR "/" + file, std::move(overrides)), Command::check).warnings);
 }
 
-/// Of the only warning under one override: the key, the value as written, the unit that fits.
+/// The only warning under one override: the key, the value as written, the unit that fits.
 struct OddValue {
   std::string path, written, fitting;
 };
@@ -88,7 +88,7 @@ TEST(UsualValues, LessonsAndPublishedScrewsHaveThem) {
       if (file.path().extension() != ".yaml" || file.path().filename() == "reference.yaml") continue;
       const Source source = load_source(file.path().string(), {});
       ErrorList errors(source);
-      if (!find(read_document(source, errors), "mechanism")) continue;  // A requirement.
+      if (!find(read_document(source, errors), "mechanism")) continue;  // Requirements are skipped.
       const CaseInput in = read_case_input(source, Command::check);
       EXPECT_THAT(sentences(in.warnings), IsEmpty()) << file.path();
     }

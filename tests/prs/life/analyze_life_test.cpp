@@ -42,7 +42,7 @@ const std::string kMixed = R"({force: 4 kN, direction: tension, revolutions: 5e4
   {force: 12 kN, direction: compression, revolutions: 2e4},
   {force: 18 kN, direction: tension, revolutions: 7e3})";
 
-/// A file's forces, each over the same way.
+/// Forces of a file, each over the same travel.
 LoadHistory history(std::vector<double> force) {
   LoadHistory h;
   for (std::size_t k = 0; k < force.size(); ++k) h.position.push_back(1e-3 * static_cast<double>(k));
@@ -80,7 +80,7 @@ TEST(AnalyzeLife, BothFlanksFailOnTheirOwn) {
   EXPECT_EQ(r.revolutions, 1.0);
 }
 
-/// The same from every load's equilibrium on its own, by `analyze`, in the words of ISO/TS 16281.
+/// Lives from every load's separate equilibrium, by `analyze`, with the formulas of ISO/TS 16281.
 struct Direct {
   double life = 0.0;
   PerInterface<std::vector<double>> equivalent;
@@ -257,7 +257,7 @@ TEST(AnalyzeLife, ThreadLoadsSumToTheForce) {
   }
 }
 
-/// Path and message of what a case is refused for.
+/// Path and message with which a case is refused.
 std::pair<std::string, std::string> refused(const Case& c, std::optional<LoadHistory> h = {}) {
   try {
     analyze_life(c, std::move(h));
@@ -297,7 +297,7 @@ TEST(AnalyzeLife, WarnsOfLoadsBeyondTheFormula) {
   EXPECT_THAT(sentences(r.warnings), testing::Contains(testing::HasSubstr("92.9 % of the dynamic capacity")));
 }
 
-/// Paths that a case text is refused for.
+/// Paths with which a case text is refused.
 std::string input_error(const std::string& life, const std::vector<std::string>& set = {}) {
   try {
     life_case(life, set);
@@ -382,7 +382,7 @@ TEST(AnalyzeLife, StaticSafetyNamesItsLimit) {
     EXPECT_NEAR(json[name(d)]["flank_edge_margin"].get<double>(), *flank.flank_edge_load / flank.largest_force, 1e-12);
     EXPECT_NEAR(json[name(d)]["static_safety"].get<double>(), flank.static_rating->force / flank.largest_force, 1e-12);
   }
-  // A stated capacity rules both directions as it rules the whole.
+  // A stated capacity determines both directions as it does the whole.
   const LifeResult given =
       analyze_life(life_case(spectrum("{force: 10 kN, direction: tension, share: 1}", ", static_capacity: 20 kN")));
   EXPECT_EQ(document_of(life_analysis(), given, {})["life"]["tension"]["static_safety"], 2.0);
@@ -399,7 +399,7 @@ TEST(AnalyzeLife, PressuresInRunningAreThoseUnderLoadsThatTurn) {
   EXPECT_THAT(sentences(r.warnings), ::testing::Not(::testing::Contains(::testing::HasSubstr("run"))));
 }
 
-/// Each L10 of the document with what stands next to it.
+/// Compares each L10 of the document with the rated life beside it.
 void expect_rated(const nlohmann::ordered_json& object, double factor, int& found) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object()) expect_rated(value, factor, found);
@@ -486,7 +486,7 @@ TEST(PreloadedLife, OfOneThreadIsThatOfFourContacts) {
   EXPECT_NEAR(r.flanks.compression->threads.screw.equivalent_load[0] * kRollers, std::cbrt(0.75) * p, 1e-6 * p);
 }
 
-/// Where many forces are interpolated, and where each is solved.
+/// Cases of many forces, which are interpolated, and of few, which are solved.
 TEST(PreloadedLife, OfAHistoryIsThatOfItsSamples) {
   SKIP_UNDER_SANITIZERS();
   std::mt19937 random(5);
@@ -513,7 +513,7 @@ TEST(PreloadedLife, OfAHistoryIsThatOfItsSamples) {
     EXPECT_NEAR(r.flanks[d]->threads.screw.equivalent_load[3] / std::cbrt(cubes[d] / 59.0), 1.0, 1e-5);
 }
 
-/// The screw with all rollers, guided where a sector guides its own.
+/// The screw with all rollers, with the guidance of a sector.
 Case full_case(const std::string& loads, const std::vector<std::string>& overrides = {}) {
   std::vector<std::string> all = {"model={mechanism: full}"};
   all.insert(all.end(), overrides.begin(), overrides.end());
@@ -534,8 +534,8 @@ TEST(FullLife, OfRollersThatAreAlikeIsThatOfTheSector) {
   }
 }
 
-/// Loads of unlike rollers over a turn of the carrier, solved one by one: a thread of the screw
-/// meets all of them, a thread of a roller its own.
+/// Loads of unequal rollers over a turn of the carrier, solved one by one: a thread of the screw meets all of them, a
+/// thread of a roller its own.
 TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
   constexpr int kFew = 4, kSteps = 2;
   const Case c = life_case(

@@ -28,8 +28,8 @@ TEST(GeometryFactor, IsRefusedWhereTheStandardEnds) {
   EXPECT_FALSE(geometry_factor(std::nan("")));
 }
 
-/// Jung 2017, table 7.1: screw and roller diameter [mm], load capacity [kN], with p = 2 mm,
-/// N_c = 500 and the helix angle 6.056 deg. The print is up to 0.7 of its last digit off.
+/// Jung 2017, table 7.1: screw and roller diameter [mm], load capacity [kN], with p = 2 mm, N_c = 500 and the helix
+/// angle 6.056 deg. The print deviates by up to 0.7 of its last digit.
 constexpr double kJung[][3] = {{27, 9, 165.082},  {28.5, 10, 182.095}, {30, 11, 198.900}, {31.5, 12, 215.518},
                                {33, 13, 231.969}, {34.5, 14, 248.268}, {36, 15, 264.429}, {37.5, 16, 280.464},
                                {39, 17, 296.382}, {40.5, 18, 312.192}};
@@ -84,7 +84,7 @@ TEST(LemorCapacity, CarriesTheRangeOfItsFactor) {
   EXPECT_GT(c.factor_range.greatest, c.factor);
   EXPECT_NEAR(c.capacity_range.least / c.capacity, c.factor_range.least / c.factor, 1e-14);
   EXPECT_NEAR(c.capacity_range.greatest / c.capacity, c.factor_range.greatest / c.factor, 1e-14);
-  // Of the three readings, 0.1414, 0.1768 and 0.1622, the second is next to the maximum of f_c.
+  // The second of the three readings, 0.1414, 0.1768 and 0.1622, is next to the maximum of f_c.
   EXPECT_NEAR(c.ratio, std::sqrt(0.5) / 5, 1e-14);
   EXPECT_NEAR(c.factor_range.greatest, *geometry_factor(std::sqrt(0.5) / 4) * (1.0 + kFactorFit), 1e-12);
   EXPECT_NEAR(c.element_diameter, std::sqrt(2.5 * 5e-3 / 3 * std::numbers::sqrt2 * 7e-3), 1e-16);

@@ -43,7 +43,7 @@ TEST_F(LifeCommand, WritesWhatItPrints) {
   EXPECT_EQ(nlohmann::json::parse(json.out), nlohmann::json::parse(test::content_of(files / "life.json")));
 }
 
-/// The lesson's data are what the heading of its file says.
+/// The lesson's data agree with the heading of its file.
 TEST_F(LifeCommand, LessonHasTheDataOfItsHeading) {
   std::vector<double> force;
   double way = 0.0, before = 0.0;
@@ -76,11 +76,11 @@ TEST_F(LifeCommand, MakersScrewsAreNoMeasureOfInvertedOnes) {
   EXPECT_EQ(prs("life configs/14_flight_spectrum.yaml").out.find("maker's"), std::string::npos);
   const std::string standard = prs("life validation/standard_screws/screw_30x10.yaml").out;
   EXPECT_THAT(standard, HasSubstr("by a maker's 23 standard screws"));
-  // A spectrum by shares is no number of revolutions.
+  // A spectrum by shares has no number of revolutions.
   EXPECT_EQ(standard.find("spectra"), std::string::npos) << standard;
 }
 
-/// The film is that of `slip` under the mean load; a single load has it as its mean.
+/// The film is that of `slip` under the mean load, which for a single load is the load.
 TEST_F(LifeCommand, FilmAndDirtGiveTheFactorOfTheStandard) {
   ASSERT_EQ(prs("new standard " + (folder.path() / "a.yaml").string() + " --screw-diameter 25mm --lead 5mm").status, 0);
   const std::string file = (folder.path() / "a.yaml").string();

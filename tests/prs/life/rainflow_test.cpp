@@ -61,11 +61,11 @@ TEST(Rainflow, NothingCyclesWhereNothingTurns) {
   EXPECT_EQ(plain(rainflow(std::vector<double>{1, 2, 2, 5})), (std::vector<Plain>{{1, 5, 0.5}}));
 }
 
-/// 5.4.4 word by word on a list of peaks and valleys that is searched from its start every time.
+/// Algorithm of 5.4.4, literally, on a list of peaks and valleys that is searched from its start every time.
 Counts counted_word_by_word(std::vector<double> points) {
   Counts counts;
   std::size_t read = 0;   // Points read so far, of those not discarded.
-  std::size_t start = 0;  // S, always the first that is left.
+  std::size_t start = 0;  // S, always the first remaining point.
   const auto range = [&](std::size_t k) { return std::abs(points[k] - points[k - 1]); };
   for (;;) {
     if (read == points.size()) break;  // (1) out of data
@@ -116,9 +116,8 @@ TEST(Rainflow, IsTheStandardWordByWord) {
   }
 }
 
-/// Rychlik (1987): of a history that starts and ends at its greatest value, each other peak M forms
-/// a cycle with the higher of the two lowest values between it and the next higher one on either
-/// side.
+/// Rychlik (1987): for a history that starts and ends at its largest value, each other peak M forms a cycle with the
+/// higher of the two lowest values between it and the next higher one on either side.
 Counts counted_peak_by_peak(const std::vector<double>& points) {
   Counts counts;
   for (std::size_t k = 1; k + 1 < points.size(); ++k) {
@@ -139,7 +138,7 @@ TEST(Rainflow, OfAClosedHistoryIsThatOfRychlik) {
     history.push_back(2000.0);
     const std::vector<double> points = peaks_and_valleys(history);
     Counts expected = counted_peak_by_peak(points);
-    // From the greatest value to the least and back: two halves.
+    // From the largest value to the smallest and back: two halves.
     expected[2000.0 - *std::ranges::min_element(points)] += 1.0;
     EXPECT_EQ(counts_of(rainflow(history)), expected);
   }
@@ -224,7 +223,7 @@ TEST(CycleMatrix, HoldsEveryCycleInItsBin) {
         const bool in_mean = c.mean() >= mean && (c.mean() < mean + m.mean_width() || k == 15);
         if (in_range && in_mean) expected[static_cast<std::size_t>(16 * i + k)] += c.count;
       }
-  double moved = 0.0;  // By rounding, from one side of a bin's edge to the other.
+  double moved = 0.0;  // Cycles that rounding moves across the edge of a bin.
   for (std::size_t k = 0; k < expected.size(); ++k) moved += std::abs(expected[k] - m.count[k]);
   EXPECT_LE(moved, 4.0);
 }

@@ -31,7 +31,7 @@ TEST(MeanLoad, GivesTheLifeOfMinersSum) {
   EXPECT_NEAR(rating_life(60e3, mean_load(steps)) * damage, 1.0, 1e-14);
 }
 
-/// Share that survives `revolutions` of what has the life L10.
+/// Share that survives `revolutions` at the life L10.
 double survival(double revolutions, double life) { return std::pow(0.9, std::pow(revolutions / life, kWeibullSlope)); }
 
 TEST(CombinedLife, IsWhereNineOfTenHaveNoFailedPart) {

@@ -14,7 +14,7 @@ namespace {
 
 using Shares = std::vector<double>;
 
-/// Largest deviation of the curve from what it interpolates, at random loads, of shares and cubes.
+/// Largest deviation of the curve from the interpolated function, at random loads, for shares and cubes.
 double deviation(const ShareCurve& curve, const ShareCurve::Solve& solve, double least, double greatest, int loads) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> position(std::log(least), std::log(greatest));

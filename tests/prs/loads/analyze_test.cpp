@@ -158,7 +158,7 @@ TEST(Analyze, RollersThatOverlapAtTheirCrestsAreAnErrorOfTheCase) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("got 12; expected at most 11"));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("mechanism.thread.roller"));
   }
-  EXPECT_THROW(checked_mechanism(c), CaseError);  // As studies take it.
+  EXPECT_THROW(checked_mechanism(c), CaseError);  // Function used for studies.
   c.mechanism.thread.roller = ThreadHeight{0.15e-3, 0.4e-3};
   EXPECT_NO_THROW(checked_contacts(c, Detail::numbers));
   EXPECT_NO_THROW(checked_mechanism(c));
@@ -276,7 +276,7 @@ TEST(Analyze, AbeviContactsAreThoseOfASecondComputation) {
     const auto angle = static_cast<double>(plain::abevi_touch(screw).normal_angle);
     EXPECT_NEAR(contacts[i].hertz.hertz_constant / k, 1.0, 1e-12);
     EXPECT_NEAR(contacts[i].normal_angle() / angle, 1.0, 1e-13);
-    // The numbers that validation, lesson 4 and the documents quote.
+    // Numbers quoted by validation, lesson 4 and the documents.
     EXPECT_EQ(std::round(k / per_m), printed[i].first);
     EXPECT_NEAR(angle / degree, printed[i].second, 5e-5);
   }
@@ -308,7 +308,7 @@ TEST(Analyze, WarnsOfPressuresBeyondTheStaticLimit) {
   EXPECT_THAT(sentence(result.load_cases[3].warnings[0]), ::testing::HasSubstr("4.04 GPa"));
 }
 
-/// A body that is pushed gives way.
+/// A body yields when pushed.
 TEST(Analyze, ScrewsTooSoftForTheEffectOfPoissonsRatioHaveNoStiffness) {
   const auto pushed = [](const char* modulus, const char* poisson) {
     return analyze(lesson("01_config_1_to_3.yaml",

@@ -26,9 +26,9 @@ using test::expect_drawn;
 using test::TemporaryDirectory;
 
 constexpr double mm = 1e-3;
-constexpr double kChord = 1e-4;  ///< Between a curved flank and its polyline [mm].
+constexpr double kChord = 1e-4;  ///< Deviation of a polyline from a curved flank [mm].
 
-/// Also example 1 of Sandu 2018, table 1.6.
+/// Same as example 1 of Sandu 2018, table 1.6.
 Case standard() { return contact_lesson("05_standard_screw.yaml"); }
 
 Case left_handed(Case c) {
@@ -54,7 +54,7 @@ std::optional<Figure> contact_picture(const Result& result, const char* name) {
 
 Figures all_figures(const Result& result) { return figures(contact_pictures(result)); }
 
-/// The line of the panel whose legend entry is `title`.
+/// Line of the panel with the legend entry `title`.
 const Series& series_of(const Figure& figure, const Panel& panel, const std::string& title) {
   const auto entry =
       std::find_if(figure.legend.begin(), figure.legend.end(), [&](const LegendEntry& e) { return e.title == title; });
@@ -87,7 +87,7 @@ double at(const Polyline& outline, double z) {
   return x0 + (x1 - x0) * (z - z0) / (z1 - z0);
 }
 
-/// Room between the parts at z [mm]; negative where they interpenetrate.
+/// Gap between the parts at z [mm]; negative if they overlap.
 double gap(const Outlines& outlines, Interface i, double z) {
   const double towards_roller = i == Interface::screw ? 1.0 : -1.0;
   return towards_roller * (at(outlines.roller, z) - at(outlines.body, z));
@@ -195,7 +195,7 @@ TEST(ContactEllipses, HaveUnitMajorAxesWithoutMaterials) {
   EXPECT_NEAR(least, hertz.ellipticity, 1e-12);
 }
 
-/// The contacts of threads that no case describes.
+/// Contacts of threads that no case describes.
 Result contacts_of(const contact::MechanismGeometry& threads) {
   Result result;
   result.contacts.threads = threads;

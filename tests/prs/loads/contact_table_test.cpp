@@ -19,7 +19,7 @@ using test::equal_share;
 
 std::string table(const Case& c) { return contact_table(analyze_contacts(c)); }
 
-/// The line that starts with the label, its blanks reduced to one each; empty where there is none.
+/// Line that starts with the label, with single blanks; empty if there is none.
 std::string row(const std::string& table, const std::string& label) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
@@ -54,7 +54,7 @@ TEST(ContactTable, MayBeInInchesAndPounds) {
   EXPECT_EQ(row(text, "backlash"), "backlash, in 0.000000 -0.002530");
   EXPECT_TRUE(row(text, "load case").starts_with("load case lbf lbf in in ksi µin"));
   EXPECT_TRUE(row(text, "equal screw").starts_with("equal screw 45.984 "));  // 204.545 N
-  // Only as long as the object lives.
+  // The setting ends with the object.
   EXPECT_EQ(row(table(abevi_contacts()), "centre distance"), "centre distance 14.0000 mm");
 }
 

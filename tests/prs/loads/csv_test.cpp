@@ -83,7 +83,7 @@ TEST(Csv, NumbersHaveAsManySignificantDigitsAsAskedFor) {
   EXPECT_EQ(std::stod(field(2.0 / 3.0, {.digits = CsvStyle::kAllDigits})), 2.0 / 3.0);
 }
 
-/// A spreadsheet of a European locale takes `1.5` for a date.
+/// A spreadsheet of a European locale reads `1.5` as a date.
 TEST(Csv, EuropeanFilesHaveSemicolonsDecimalCommasAndTheMarkOfUtf8) {
   const CsvStyle european{.european = true};
   const LoadCaseResult load_case = solved_case("a; \"b\", c", 12345.5, Direction::tension);

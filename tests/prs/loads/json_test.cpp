@@ -124,7 +124,7 @@ TEST(Json, TextSurvivesMalformedNames) {
   EXPECT_EQ(nlohmann::json::parse(text).at("name"), "\uFFFD\"\n");
 }
 
-/// What a document gives that is written load case by load case.
+/// Text of a document that is written load case by load case.
 std::string written(const Result& result) {
   std::string text;
   write_with_list(

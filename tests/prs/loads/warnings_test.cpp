@@ -29,7 +29,7 @@ Warning running(double gigapascals, int load_case = 0) {
 
 Warning high(double value) { return Warning{"", "high", "high: {value}"}.with(value); }
 
-/// 4 GPa of steel is no limit of another material, which has the one that its case states, or none.
+/// 4 GPa, valid for steel, is not the limit of another material, which has the one stated in its case, or none.
 TEST(Warning, PressureIsHeldAgainstTheLimitOfTheMaterials) {
   Contacts contacts;
   EXPECT_FALSE(static_pressure_warning("a", Interface::screw, 3.9e9, contacts));
@@ -65,7 +65,7 @@ TEST(WarningGroups, TheWorstValueIsToldWithItsLoadCase) {
   EXPECT_EQ(group.where(), "worst in high, and 2 other load cases");
 }
 
-/// In whatever order they come.
+/// The order must not matter.
 TEST(WarningGroups, TheOrderDoesNotMatter) {
   std::vector<double> peaks = {2.57, 2.92, 3.3, 3.99};
   do {
@@ -108,7 +108,7 @@ TEST(WarningGroups, TheLoadNearestToItsLimitIsWorst) {
             "above 38.8 kN; reduce it");
 }
 
-/// The second command tells the same of the same load cases.
+/// The second command gives the same warning for the same load cases.
 TEST(WarningGroups, EqualTextsHaveNoWorstAndCasesStandOnce) {
   const Warning warning{"", "high", "high"};
   const WarningGroup group = group_of({in("a", warning), in("b", warning), in("a", warning), in("b", warning)});
@@ -116,13 +116,13 @@ TEST(WarningGroups, EqualTextsHaveNoWorstAndCasesStandOnce) {
   EXPECT_EQ(group_of({warning}).where(), "");
 }
 
-/// A command that names no load case has told it before.
+/// A command that names no load case gave the warning before.
 TEST(WarningGroups, TheWorstCaseIsThatOfTheWorstText) {
   EXPECT_EQ(group_of({high(5.42), in("pull", high(5.13)), in("push", high(5.42))}).where(),
             "worst in push, and 1 other load case");
 }
 
-/// Two commands tell other numbers of one load case, cold and warm.
+/// Two commands give different numbers for one load case, cold and warm.
 TEST(WarningGroups, OneCaseIsNotToldTwice) {
   const WarningGroup group = group_of({in("pull", high(2.57)), in("pull", high(2.64))});
   EXPECT_EQ(group.where(), "in pull");

@@ -33,7 +33,7 @@ std::optional<Figure> slip_picture(const Result& result, const char* name) {
   return test::shown(slip_pictures(Case{}, result), name);
 }
 
-/// Without the patches, which need a case.
+/// Figures without the patches, which need a case.
 Figures of_powers(const Result& result) {
   Figures all;
   for (const Picture& picture : slip_pictures(Case{}, result))

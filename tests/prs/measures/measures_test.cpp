@@ -31,7 +31,7 @@ using ::testing::Not;
 constexpr double kForce = 45e3;
 constexpr int kContacts = 220;
 
-/// The screw of Abevi 2015 of steel with a density, and everything that measures can ask for.
+/// The screw of Abevi 2015 of steel with a density, and all inputs of measures.
 Case abevi(const std::vector<std::string>& overrides = {}) {
   Case c = input::read_case_text(input::abevi_with("poisson_ratio: 0.3", "poisson_ratio: 0.3\n  density: 7810 kg/m^3"),
                                  "test.yaml", overrides, Command::solve);
@@ -51,7 +51,7 @@ LoadMeasures load_measures(const Case& c, std::size_t load_case) {
   return load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[load_case]);
 }
 
-/// What is unusual about equal thread loads.
+/// Warnings about equal thread loads.
 std::vector<std::string> load_warnings(const Case& c, double force) {
   const Contacts contacts = find_contacts(c.mechanism, c.materials);
   const Measures m = measures_of(c, contacts);
@@ -162,9 +162,9 @@ TEST(Measures, DeformationCapacityIsPalmgrensForTheFlankAsABall) {
     const double normal = 2 * 4.949747468 * std::sqrt(1e-4 / (1.3e-7 * product));
     const double axial = kContacts * normal * std::cos(static_cast<double>(touch.normal_angle));
     EXPECT_NEAR(*m.deformation_capacity[i] / axial, 1.0, 1e-12);
-    EXPECT_LT(*m.pressure_capacity[i], *m.deformation_capacity[i]);  // Pressure rules.
+    EXPECT_LT(*m.pressure_capacity[i], *m.deformation_capacity[i]);  // Pressure is decisive.
   }
-  // The convex screw is the weaker one.
+  // The convex screw is the weaker part.
   EXPECT_LT(*m.deformation_capacity.screw, *m.deformation_capacity.nut);
 }
 
@@ -188,12 +188,12 @@ TEST(Measures, EquivalentInertiaIsThatOfItsParts) {
   const double orbit = 11.0 * mass * axis * axis;
   EXPECT_GT(*m.roller_inertia * speed * speed, orbit);
   const double spin = *m.roller_inertia * speed * speed - orbit;
-  // Of solid cylinders, 1/2 M r^2 at most, thinner ends less.
+  // Solid cylinders have at most 1/2 M r^2, thinner ends less.
   const double whole = 11.0 * 0.5 * mass * std::pow(3.5e-3 * 2.5 * speed, 2);
   EXPECT_LT(spin, whole);
   EXPECT_GT(spin, 0.8 * whole);
 
-  // As a standard mechanism the screw turns and the nut travels.
+  // For a standard mechanism the screw turns and the nut travels.
   c = abevi();
   c.mechanism.type = Mechanism::Type::standard;
   c.mechanism.starts.screw = 5;
@@ -260,7 +260,7 @@ TEST(Measures, AtTheFlankEdgeLoadTheFirstEllipseReachesTheEndOfAFlank) {
     c.load_cases[0].share = LoadCase::Share::equal;
     const double edge = *measures(c).flank_edge_load;
     EXPECT_EQ(ellipses_beyond_flanks(c, edge * (1.0 - 1e-9)), 0U);
-    EXPECT_GT(ellipses_beyond_flanks(c, edge * (1.0 + 3e-3)), 0U);  // Warned of from 0.1 um on.
+    EXPECT_GT(ellipses_beyond_flanks(c, edge * (1.0 + 3e-3)), 0U);  // A warning is given from 0.1 um on.
   }
 }
 
@@ -268,7 +268,7 @@ TEST(Measures, TheEndOfAFlankIsWarnedOfAndLeavesTheStaticSafety) {
   const Case c = fine_pitch();
   const Contacts contacts = find_contacts(c.mechanism, c.materials);
   const Measures m = measures_of(c, contacts);
-  EXPECT_NEAR(*m.static_capacity, 261548.0, 1.0);  // The load at 4.0 GPa stays what it was.
+  EXPECT_NEAR(*m.static_capacity, 261548.0, 1.0);  // The load at 4.0 GPa does not change.
   EXPECT_LT(*m.flank_edge_load, *m.static_capacity);
   const LoadCaseResult result = equal_share_result(c.load_cases[0], contacts);
   const LoadMeasures pull = load_measures_of(c, contacts, m, result);
@@ -299,7 +299,7 @@ TEST(Measures, StaticSafetyIsThatOfLifeWithEqualShares) {
   }
 }
 
-/// Under any force of one sense: what a thread carries at its limit does not depend on it.
+/// For any force of one sense: the load of a thread at its limit does not depend on it.
 TEST(Measures, StaticSafetyOfALoadCaseIsThatOfLifeUnderItsForce) {
   Case c = abevi();
   for (const std::size_t k : {0u, 1u}) {
@@ -329,7 +329,7 @@ TEST(Measures, OnlyAScrewThatTurnsIsToldOfItsPressure) {
   EXPECT_THAT(load_warnings(c, at_3_GPa * std::pow(2.4 / 3.0, 3.0)), Not(Contains(HasSubstr("flanks that run"))));
 }
 
-/// Hertz contacts in series with bodies are softer than alone; only teeth on top can turn that.
+/// Hertz contacts in series with bodies are softer than alone; only additional teeth can reverse that.
 TEST(Measures, ThreadsAreStifferThanTheWholeScrewUnlessTeethCount) {
   Case c = abevi();
   const auto pull = [&] {
@@ -472,8 +472,8 @@ TEST(LoadMeasures, ACaseThatDidNotConvergeKeepsItsMeanValues) {
 }
 
 TEST(MeasureQuantities, EveryMeasureHasOneKey) {
-  // Measures and the scalars of LoadMeasures are optional numbers, but for the static limits and
-  // the load rates of the threads; one key is of two numbers.
+  // Measures and the scalars of LoadMeasures are optional numbers, except the static limits and the load rates of the
+  // threads; one key is of two numbers.
   using Number = std::optional<double>;
   const auto design = record_of<Measures>().quantities;
   const auto load = record_of<LoadMeasures>().quantities;

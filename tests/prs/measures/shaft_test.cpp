@@ -18,16 +18,15 @@ const ShaftSection kCore{18e-3, 6e-3};
 const double kArea = pi / 4.0 * (18e-3 * 18e-3 - 6e-3 * 6e-3);
 const double kInertia = pi / 64.0 * (std::pow(18e-3, 4) - std::pow(6e-3, 4));
 
-/// Printed with one decimal.
+/// Dimensions printed with one decimal.
 struct CatalogueScrew {
   double diameter, lead;  ///< [mm]
   int starts;
   double outer_diameter, root_diameter;  ///< [mm]
 };
 
-/// The standard screws of a maker's series SRS-C whose threads are printed, by a public
-/// configurator: github.com/vdimichele-helix/email-roller-screw-configuration, commit beed04e3,
-/// srsCTechnicalData.jsx.
+/// Standard screws of a maker's series SRS-C whose threads are printed, by a public configurator:
+/// github.com/vdimichele-helix/email-roller-screw-configuration, commit beed04e3, srsCTechnicalData.jsx.
 constexpr CatalogueScrew kCatalogue[] = {{12, 5, 5, 12.3, 11.5},  {18, 5, 5, 18.3, 17.5},  {21, 5, 5, 21.3, 20.5},
                                          {21, 10, 5, 21.6, 20.0}, {24, 12, 6, 24.6, 23.0}, {24, 5, 5, 24.3, 23.5},
                                          {30, 10, 5, 30.6, 29.0}, {36, 9, 6, 36.5, 35.3},  {39, 5, 5, 39.4, 38.5},
@@ -86,7 +85,7 @@ TEST(Buckling, JohnsonTouchesEulerAtHalfTheYieldStrength) {
   };
   EXPECT_NEAR(load(limit, kYield) / (0.5 * kArea * kYield), 1.0, 1e-13);
   EXPECT_NEAR(load(limit, {}) / (0.5 * kArea * kYield), 1.0, 1e-13);
-  // The same slope on both sides: the parabola leaves the hyperbola by second order only.
+  // Equal slopes on both sides: the parabola leaves the hyperbola by second order only.
   const double step = 1e-4;
   const double apart = load(limit * (1.0 - step), {}) / load(limit * (1.0 - step), kYield) - 1.0;
   EXPECT_GT(apart, 0.0);

@@ -40,7 +40,7 @@ TEST(ThreadStiffness, AddsComplianceOfTeethInSeries) {
   const double h = 4e-8, c = 3e-9;
   const double hertz = thread_stiffness(5e3, 100, h, 0.0);
   EXPECT_NEAR(1.0 / thread_stiffness(5e3, 100, h, c), 1.0 / hertz + c / 100.0, 1e-25);
-  // Hertz stiffens with the cube root of the load.
+  // The Hertz stiffness grows with the cube root of the load.
   EXPECT_NEAR(thread_stiffness(40e3, 100, h, 0.0) / hertz, 2.0, 1e-13);
 }
 
@@ -52,7 +52,7 @@ TEST(ToothStiffness, IsProportionalToItsWidthAndStiffness) {
   };
   const double screw = stiffness(Part::screw, 2e-3), nut = stiffness(Part::nut, 2e-3);
   EXPECT_NEAR(stiffness(Part::screw, 4e-3) / screw, 2.0, 1e-13);
-  // Same teeth, but a nut that expands.
+  // The teeth are the same, but a nut expands.
   EXPECT_LT(nut, screw);
   c.materials.screw.youngs_modulus *= 3.0;
   EXPECT_NEAR(stiffness(Part::screw, 2e-3) / screw, 3.0, 1e-13);

@@ -101,7 +101,7 @@ TEST(Efficiency, BackDrivingEstimateLiesBelowThatOfContacts) {
   const MeasuresResult measures = analyze_measures(c);
   EXPECT_DOUBLE_EQ(*measures.load_measures[0]->back_driving_efficiency, backward);
   Case heated = c;
-  heated.lubricant->viscosity.reset();  // that the parts' temperatures would tell
+  heated.lubricant->viscosity.reset();  // it would follow from the parts' temperatures
   const Result& loaded = measures.analysis;
   EXPECT_FALSE(back_driving_efficiency(heated, loaded.contacts, loaded.load_cases[0]));
   c.friction.reset();
@@ -111,7 +111,7 @@ TEST(Efficiency, BackDrivingEstimateLiesBelowThatOfContacts) {
   EXPECT_GT(miss, -0.07);
 }
 
-/// Beside the number, in tables and in `--explain`.
+/// The note is beside the number, in tables and in `--explain`.
 TEST(Efficiency, BackDrivingSaysHowFarItIsOff) {
   const Quantity<Measures>& q = quantity<Measures>("back_driving_efficiency");
   EXPECT_NE(q.title.find("0.07"), std::string_view::npos);

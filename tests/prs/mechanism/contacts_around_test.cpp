@@ -19,7 +19,7 @@ double azimuth(Index roller) {
   return 2.0 * std::numbers::pi * static_cast<double>(roller) / static_cast<double>(kAround);
 }
 
-/// Three threads at each interface; the screw moves along and across, the nut stands.
+/// Three threads at each interface; the screw moves axially and laterally, the nut is fixed.
 struct SmallScrew {
   VectorXd along = VectorXd::Zero(kContacts), across = along, roller = VectorXd::Constant(kContacts, 0.7);
   ContactsAround contacts;
@@ -66,7 +66,7 @@ struct SmallScrew {
     return g / static_cast<double>(kAround);
   }
 
-  /// The equations roller by roller, written once more.
+  /// Checks the equations roller by roller, in an independent form.
   void expect_equilibrium(const ContactsAroundSolution& s) const {
     ASSERT_TRUE(s.converged());
     double axial = 0.0, side = 0.0, other_side = 0.0;

@@ -38,8 +38,8 @@ struct FullScrew {
   }
 };
 
-/// Flexibilities of the beams of a model with all rollers and rings on the housing; stations of the
-/// screw are nodes, without what holds them.
+/// Flexibilities of the beams of a model with all rollers and rings on the housing; stations of the screw are nodes,
+/// without supports.
 class BeamBodies {
  public:
   explicit BeamBodies(FullModel f) : f_(std::move(f)), s_(full_structure(alone(f_))) {
@@ -93,7 +93,7 @@ class BeamBodies {
   }
 
  private:
-  /// Without bearings, the first roller on the y axis.
+  /// Model without bearings, the first roller on the y axis.
   static FullModel alone(FullModel f) {
     for (Bearing& b : f.bearings) b.lateral = b.tilt = 0.0;
     for (FullModel::Roller& r : f.present) r.azimuth -= f.load.carrier_angle;
@@ -108,7 +108,7 @@ class BeamBodies {
     return rows;
   }
 
-  /// Fourier sums over the rollers of what the first one's contacts do.
+  /// Fourier sums over the rollers from the effect of the first one's contacts.
   FlexibilityAround around(const Eigen::VectorXd& rows, Interface i) const {
     const MatrixXd of_body = rows.asDiagonal() * springs_;
     const Index threads = f_.threads();
@@ -210,7 +210,7 @@ TEST(FullInfluence, BeamsFlexibilitiesGiveTheBeamModel) {
   agrees("floating rings");
 }
 
-/// Rings as soft as 10 N/m move a hundred times as far as contacts approach.
+/// Rings of 10 N/m move a hundred times as far as contacts approach.
 TEST(FullInfluence, SoftRingsConvergeToTheBeamModel) {
   FullScrew screw(test::abevi());
   screw.parts.structure.roller.guidance.kind = Guidance::Kind::outer_node;
@@ -225,7 +225,7 @@ TEST(FullInfluence, SoftRingsConvergeToTheBeamModel) {
   }
 }
 
-/// Bearings and places of loads, also with few rollers, of which two lie on one line.
+/// Bearings and places of loads, also with few rollers, two of which lie on one line.
 TEST(FullInfluence, BearingsAndPlacesOfLoadsAreThoseOfTheBeamModel) {
   FullScrew screw(test::abevi());
   screw.parts.structure.roller.guidance.kind = Guidance::Kind::outer_node;
@@ -272,7 +272,7 @@ TEST(FullInfluence, ALoadThatNothingHoldsHasNoEquilibrium) {
   EXPECT_EQ(solve(screw.model(), beams).solve.status, fe::NewtonStatus::mechanism);
 }
 
-/// Where the pressure of a thin ring, of a disc and of the face of a flange is zero at the edge.
+/// Load at which the pressure of a thin ring, of a disc and of the face of a flange is zero at the edge.
 TEST(FullInfluence, AShoulderLiftsOffWhereItsPressureEnds) {
   Structure::Nut nut;
   nut.length = 90e-3;
@@ -330,7 +330,7 @@ TEST(FullInfluence, IsTheInfluenceModelWhereAllRollersAreAlike) {
         EXPECT_NEAR(roller[k], one.normal_load[i][k], 1e-10 * largest_of(full.normal_load[i]));
 }
 
-/// G between rollers that stand `spacings` apart, of N.
+/// G between rollers that are `spacings` apart, for N rollers.
 Eigen::MatrixXd between(const FlexibilityAround& around, int spacings, int rollers) {
   Eigen::MatrixXd g = around.modes.front();
   for (std::size_t m = 1; m < around.modes.size(); ++m) {
@@ -341,7 +341,7 @@ Eigen::MatrixXd between(const FlexibilityAround& around, int spacings, int rolle
   return g / rollers;
 }
 
-/// What a load does does not depend on how many rollers are counted between.
+/// The effect of a load does not depend on the number of rollers counted between.
 TEST(FlexibilityAround, IsTheSameForTwiceAsManyRollers) {
   SKIP_UNDER_SANITIZERS();
   CoarseBodies bodies;
@@ -361,8 +361,8 @@ TEST(FlexibilityAround, IsTheSameForTwiceAsManyRollers) {
   }
 }
 
-/// A clamped beam with a section between core and pitch diameter, shear left out and in, and what
-/// the contacts on it do: the flank's normal looks inwards.
+/// A clamped beam with a section between core and pitch diameter, with and without shear, under its contacts: the
+/// flank's normal points inwards.
 TEST(FlexibilityAround, TheScrewBendsAsABeam) {
   SKIP_UNDER_SANITIZERS();
   const test::SectorCase c = test::abevi();
@@ -394,7 +394,7 @@ TEST(FlexibilityAround, TheScrewBendsAsABeam) {
   EXPECT_GT(f.coupling(last, 0), 1.15 * normal / core.bending);
 }
 
-/// Behind the body the screw is a beam: a force there is a force and a moment at the body's end.
+/// Behind the body the screw is a beam: a force there acts as a force and a moment at the body's end.
 TEST(FlexibilityAround, TheScrewGoesOnBehindItsThread) {
   CoarseBodies bodies;
   const test::SectorCase& c = bodies.screw.parts;

@@ -40,12 +40,12 @@ Case case_of(const json& reference_case) {
   return input::read_case_text(reference_case.at("input").dump(), "case", {}, Command::solve);
 }
 
-/// Every number of the reference against that of the document, to a share of the largest number
-/// in its array: components that symmetry makes zero are rounding.
+/// Compares every number of the reference with that of the document, within a share of the largest number in its array:
+/// components that are zero by symmetry are rounding.
 void expect_near(const json& wanted, const json& got, double share, const std::string& path, double scale = 0.0) {
   if (wanted.is_object()) {
     for (const auto& [key, value] : wanted.items()) {
-      if (key == "dofs") continue;  // More nodes change nothing.
+      if (key == "dofs") continue;  // Additional nodes change nothing.
       ASSERT_TRUE(got.contains(key)) << path << "." << key;
       expect_near(value, got.at(key), share, path + "." + key);
     }
@@ -71,7 +71,7 @@ TEST(FullMechanism, AgreesWithAnIndependentProgram) {
     SCOPED_TRACE(reference_case.at("name").get<std::string>());
     const Case c = case_of(reference_case);
     json wanted = reference_case.at("result");
-    // That program keeps the moment of an eccentric force: 1/C_xx. Its own compliance has the rest.
+    // The other program keeps the moment of an eccentric force constant: 1/C_xx. Its own compliance contains the rest.
     if (const Lateral& e = c.load_cases[0].spatial.eccentricity; e.y != 0.0 || e.z != 0.0) {
       const json& row = wanted.at("screw_end").at("compliance_SI").at(0);
       ASSERT_EQ(row.size(), 5u);
@@ -130,13 +130,13 @@ TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
         }
 }
 
-/// x of the middle of the first guide ring, as far as it stands on the nut.
+/// x of the middle of the first guide ring, limited to the nut.
 double first_ring(const Case& c) {
   const FullModel f = model_of(c);
   return std::clamp(f.roller_ends.first + 0.5 * f.sector.end_length, 0.0, c.structure->nut.length);
 }
 
-/// Screws of all kinds that are hard on the solver.
+/// Screws of all kinds that are difficult for the solver.
 Case random_case(std::mt19937_64& random) {
   const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   const auto one_of = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
@@ -191,8 +191,8 @@ Case random_case(std::mt19937_64& random) {
   return c;
 }
 
-/// Forces and moments about the nut's near end on the whole mechanism, over the largest of the
-/// forces: two bearings that stand close together can push against each other with any force.
+/// Forces and moments about the nut's near end on the whole mechanism, over the largest of the forces: two bearings
+/// that are close together can push against each other with any force.
 double imbalance(const FullModel& f, const FullDistribution& d) {
   const SpatialLoad& load = f.load;
   double fx = f.sense() * f.axial_force + d.nut.force[0];
@@ -280,8 +280,8 @@ TEST(FullMechanism, ARingMayStandWhereItsCarrierIsHeld) {
   expect_limit_of_stiff_seats(c, stiff);
 }
 
-/// Each converges, or has a free motion, or has no equilibrium, of which a linear programme is the
-/// certificate: least squares over pushing contacts leave some of the load.
+/// Each case converges, or has a free motion, or has no equilibrium, for which a linear programme is the certificate:
+/// least squares over pushing contacts leave some of the load.
 TEST(FullMechanism, RandomCasesConvergeOrHaveNoEquilibrium) {
   std::mt19937_64 random(20261122);
   int converged = 0;
@@ -371,7 +371,7 @@ TEST(FullMechanism, TheComplianceOfTheScrewsEndIsTheDerivative) {
   expect_derivatives(c, solve(model_of(c)), 1e-5);
 }
 
-/// It ties the rings, here on the screw, to each other: left out, the screw tilts by 0.3 % more.
+/// An idle roller connects the rings, here on the screw: without it, the screw tilts by 0.3 % more.
 TEST(FullMechanism, AnIdleRollerStillHoldsTheRingsTogether) {
   Case c = symmetric_case();
   c.structure->roller.rings.carrier = Rings::Carrier::screw;
@@ -484,7 +484,7 @@ TEST(FullMechanism, ANeighbourToStartFromSavesIterationsAndChangesNothing) {
   EXPECT_LT(iterations_near, iterations_far);
 }
 
-/// What only seems to turn with the carrier, by the same with a force too small to count.
+/// Errors with an azimuth, and the same with a side force too small to count.
 TEST(FullMechanism, ATurnIsOnePositionWhereNothingElseHasAnAzimuth) {
   Case c = with_a_thick_roller(5e-6);
   c.mechanism.rollers = 5;
@@ -512,8 +512,8 @@ TEST(FullMechanism, ATurnIsOnePositionWhereNothingElseHasAnAzimuth) {
   }
 }
 
-/// One contact per roller, and the load on its section: no beam of the screw is left. The contacts
-/// of one section hold either how it moves aside or how it tilts; a bearing holds the other.
+/// One contact per roller, and the load on its section: no beam of the screw is left. The contacts of one section hold
+/// either its lateral motion or its tilt; a bearing holds the other.
 TEST(FullMechanism, OneContactOfEachRollerHoldsTheScrewWithABearing) {
   Case c = symmetric_case();
   c.mechanism.contacts_per_roller = 1;
@@ -528,7 +528,7 @@ TEST(FullMechanism, OneContactOfEachRollerHoldsTheScrewWithABearing) {
       EXPECT_NEAR(roller[0] * f.sector.cosine[i] * c.mechanism.rollers / f.axial_force, 1.0, 1e-10);
 }
 
-/// By bisection on the force, a thread stands where it just closes.
+/// By bisection on the force, a thread is at the point of closing.
 TEST(FullMechanism, ThreadsThatJustCloseNeedNoWiderNumbers) {
   SKIP_UNDER_SANITIZERS();
   Case c = with_a_thick_roller(20e-6);
@@ -553,7 +553,7 @@ TEST(FullMechanism, ThreadsThatJustCloseNeedNoWiderNumbers) {
   }
 }
 
-/// A side force next to the limit wedges the screw out against the axial force.
+/// A side force near the limit wedges the screw out against the axial force.
 TEST(FullMechanism, AMotionAgainstTheForceIsToldOf) {
   const auto told = testing::Contains(HasSubstr("`axial_stiffness` is negative"));
   Case c = symmetric_case();
@@ -622,7 +622,7 @@ TEST(FullMechanism, BearingsAtOnePlaceShareByTheirStiffness) {
     EXPECT_NEAR(part.moment.y / ((k + 1) / 3.0 * one.moment.y), 1.0, 1e-9);
     EXPECT_NEAR(part.moment.z / ((k + 1) / 3.0 * one.moment.z), 1.0, 1e-9);
   }
-  // The spring of one pulls at what the other holds.
+  // The spring of one pulls against the support of the other.
   bearings = {bearing(kRigid, 0.0), bearing(2e8, 0.0)};
   bearings[1].offset = {1e-5, -2e-5};
   const FullModel f = model_of(c);

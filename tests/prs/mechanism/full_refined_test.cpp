@@ -164,7 +164,7 @@ TEST(FullRefined, TheComplianceOfTheScrewsEndIsTheDerivative) {
   }
 }
 
-/// Of the potential energy by the force, -u: also what Poisson's effect adds to u belongs to it.
+/// Derivative of the potential energy by the force, -u: the part of u by Poisson's effect included.
 TEST(FullRefined, TheEnergyFallsByTheDisplacement) {
   SKIP_UNDER_SANITIZERS();
   const RefinedScrew screw;

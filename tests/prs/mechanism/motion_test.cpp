@@ -38,7 +38,7 @@ json input_of(std::size_t k) { return motion_cases().at("cases").at(k).at("input
 
 Case motion_case(const json& input) { return input::read_case_text(input.dump(), "case", {}, Command::solve); }
 
-/// Five rollers of a standard and of an inverted screw, nothing fixed in space but the axial force.
+/// Five rollers of a standard and of an inverted screw, nothing fixed in space except the axial force.
 Case screw(Mechanism::Type type) {
   const bool standard = type == Mechanism::Type::standard;
   Case c = motion_case(input_of(standard ? 1 : 0));
@@ -115,7 +115,7 @@ void for_each_number(const json& wanted, const json& got, const std::string& pat
   }
 }
 
-/// To a share of the largest number under the same path.
+/// Compares within a share of the largest number under the same path.
 void expect_agreement(const json& wanted, const json& got, double share) {
   std::map<std::string, double> largest;
   for_each_number(wanted, got, "", [&](const std::string& path, double value, double) {
@@ -341,7 +341,7 @@ TEST(Motion, ALeadErrorRisesWithTheTravelAndDoesNotVary) {
     }
 }
 
-/// All parts so stiff that contacts alone give way.
+/// Makes all parts so stiff that only contacts deform.
 void make_rigid(Case& c) {
   for (const Part p : kParts) (*c.materials)[p].youngs_modulus = 2e16;
 }
@@ -436,7 +436,7 @@ TEST(Motion, BandsAreThoseOfEveryWindow) {
   }
 }
 
-/// The screw of the case with masses, loaded centrally and held softly nowhere.
+/// The screw of the case with masses, loaded centrally and without soft supports.
 Case vibrating(Mechanism::Type type) {
   Case c = screw(type);
   c.load_cases[0].travel.reset();
@@ -620,7 +620,7 @@ TEST(Motion, AFreeScrewIsAFreeBarAndBeam) {
   const double threads = (c.mechanism.contacts_per_roller - 1) * c.mechanism.lead / c.mechanism.starts.screw;
   const double length = 1.5 + threads + c.structure->screw.far_length;
   c.structure->screw.bearings.clear();
-  c.load_cases[0].axial_force = 1e-9;  // Contacts that hold next to nothing.
+  c.load_cases[0].axial_force = 1e-9;  // Contacts with almost no stiffness.
   c.load_cases[0].modes->count = 40;
   const Material& steel = c.materials->screw;
   const double outer = *c.mechanism.pitch_diameter.screw, inner = c.structure->screw.bore;

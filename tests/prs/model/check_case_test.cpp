@@ -40,7 +40,7 @@ Case abevi_case() {
   return c;
 }
 
-/// Paths of the problems, one after the other.
+/// Paths of the problems, joined.
 std::string paths(const std::vector<Problem>& problems) {
   std::string text;
   for (const Problem& p : problems) text += (text.empty() ? "" : " ") + p.path;
@@ -203,7 +203,7 @@ TEST(CheckCase, AsManyRollersAsFitAreSound) {
   EXPECT_EQ(paths(check_case(c)), "mechanism.rollers");
 }
 
-/// Words of a wrong block `motor`, each with its place.
+/// Contradictory blocks `motor`, each with its place.
 TEST(CheckCase, AMotorIsHeldAgainstItselfAndTheLoadCases) {
   const Case c = abevi_case();
   MotorDuty duty;
@@ -364,7 +364,7 @@ TEST(InOperation, AViscosityAsGivenIsTaken) {
 }
 
 TEST(InOperation, ViscosityFollowsTheTemperature) {
-  // nu(60 degC) by the formula of ASTM D341, worked out apart: 39.66495 mm^2/s for 0.87 kg/dm^3.
+  // nu(60 degC) by the formula of ASTM D341, computed independently: 39.66495 mm^2/s for 0.87 kg/dm^3.
   const double by_points = in_operation(oil()).viscosity;
   const double y_40 = std::log10(std::log10(100.7)), y_100 = std::log10(std::log10(11.7));
   const double y = y_40 + (y_100 - y_40) * std::log10(333.15 / 313.15) / std::log10(373.15 / 313.15);
@@ -423,7 +423,7 @@ TEST(CheckCase, BothNutsOfAPreloadHoldTheirRollers) {
   Case c = two_nuts();
   EXPECT_EQ(paths(check_case(c)), "");
   EXPECT_EQ(paths(missing(c, Command::preload)), "");
-  // From the first nut's last contact to its end, over the spacer; the second may sit anywhere.
+  // From the first nut's last contact to its end, over the spacer; the second may be anywhere.
   const double span = 19 * axial_pitch(c.mechanism);
   const double least = 0.090 - 0.029 - span + 0.010;
   for (const double distance : {least, least + 0.090 - span}) {

@@ -218,7 +218,7 @@ TEST(Envelope, OneTargetIsMetWhereTheEnvelopeIsBest) {
   grid.study.envelope->points = {{"B", {}, {{"a", 20.0}}}, {"low", {}, {{"a", 11.0}}}};
   const EnvelopeResult result = grid.envelope();
   const EnvelopePoint& point = result.points[0];
-  // On 2 x + y = 20 x y grows with x until 5: at the grid's x = 4, y = 12.
+  // On 2 x + y = 20 the product x y grows with x until 5: at the grid's x = 4, y = 12.
   EXPECT_NEAR(point.responses[0], 20.0, 1e-12);
   EXPECT_NEAR(*point.inputs[0].number, 4.0, 1e-12);
   EXPECT_NEAR(*point.inputs[1].number, 12.0, 1e-12);

@@ -54,7 +54,7 @@ TEST(NamedLubricants, ViscosityGradesHaveTheViscosityIndexOfTheirStandard) {
   EXPECT_EQ(grades, 8);
 }
 
-/// What the chart states at 40 degC; the index that the table says it takes for 100 degC.
+/// Values of the chart at 40 degC; the index that the table assumes for 100 degC.
 TEST(NamedLubricants, BearingGreasesHaveTheBaseOilOfTheirMakersChart) {
   for (const auto& [name, at_40] :
        {std::pair{"skf-lgmt-2", 110.0}, {"skf-lgep-2", 200.0}, {"skf-lgwa-2", 185.0}, {"skf-lghb-2", 400.0}}) {

@@ -148,7 +148,7 @@ TEST(Study, DrawIsAPureFunctionOfSeedAndIndex) {
   }
 }
 
-// The formulas of designs.h in exact integers of another language.
+// Formulas of designs.h in exact integers of another language.
 TEST(Study, SameSeedDrawsTheSameOnEveryPlatform) {
   const auto first = [](Plan plan) {
     const Study study = sampled_distributions(plan, 8);

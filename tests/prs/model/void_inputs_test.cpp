@@ -39,7 +39,7 @@ std::vector<double> distribution(const Texts& overrides) {
   return numbers;
 }
 
-/// Another value of an input that is void for some overrides.
+/// A different value of an input that is void for some overrides.
 Texts with_another(Texts overrides, const std::string& path) {
   const std::string value = path.starts_with("mechanism.flank_angle")     ? "44 deg"
                             : path.starts_with("mechanism.profile_plane") ? "axial"
@@ -75,7 +75,7 @@ TEST(VoidInputs, OfOneInterfaceAreThoseOfItsBody) {
       UnorderedElementsAre("mechanism.flank_angle.nut", "mechanism.profile.nut", "materials.nut.poisson_ratio"));
 }
 
-/// To the last bit: the same model of numbers is solved.
+/// Equal bit by bit: the same model of numbers is solved.
 TEST(VoidInputs, MoveNoLoadAndNoStiffness) {
   for (const Texts& base : {Texts{kHertzGiven, kAnglesGiven}, Texts{kHertzGiven, kAnglesGiven, "model.bodies=refined"},
                             Texts{"contact.hertz_constant.screw=3.6e5 N/mm^1.5", "contact.normal_angle.screw=45 deg",

@@ -130,7 +130,7 @@ TEST(CompromiseOf, ChoosesByEachRule) {
 TEST(JointFront, HasWhatNeitherSearchDominates) {
   OptimizationResult result{test::two_objectives({}), {}, three_designs(), {}, {}};
   EXPECT_EQ(joint_front(result), (std::vector<std::size_t>{0, 1, 2}));
-  // The second design beats one of the search, the third is one of them, the fourth is no front's.
+  // The second design beats one of the search, the third is one of them, the fourth is on no front.
   result.check =
       Search{Algorithm::moead, {with({99.0, 99.0}), with({11.0, 5.7}), with({20.0, 5.0}), with({1.0, 1.0})}, {1, 2}};
   EXPECT_EQ(joint_front(result), (std::vector<std::size_t>{0, 5, 2}));
@@ -143,7 +143,7 @@ TEST(CompareFronts, MeasuresBothInOneBox) {
   Search half = three_designs();
   half.front = {0, 2};
   const FrontComparison c = compare_fronts(optimization, with({15.0, 6.0}), three_designs(), half);
-  // Boxes up to 1.1: of the ends 0.1 x 1.1 each less their overlap, with the middle more.
+  // Boxes up to 1.1: ends of 0.1 x 1.1 each less their overlap, larger with the middle.
   const double ends = 2 * 0.11 - 0.01, middle = 0.8 * 0.65;
   EXPECT_NEAR(c.check_hypervolume, ends / 1.21, 1e-12);
   EXPECT_NEAR(c.hypervolume, (ends + middle) / 1.21, 1e-12);

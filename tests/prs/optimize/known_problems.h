@@ -18,12 +18,12 @@ inline prs::Factor variable(std::string path, double from, double to) {
   return factor;
 }
 
-/// A problem in formulas: responses of the values of all variables, levels counting by their
-/// numbers; none where the design has no answer.
+/// A problem in formulas: responses of the values of all variables, levels counting by their numbers; none if the
+/// design has no result.
 struct Problem {
   prs::Optimization optimization;
   std::function<std::vector<double>(const std::vector<double>& x)> answer;
-  mutable std::size_t asked = 0;  ///< Designs so far.
+  mutable std::size_t asked = 0;  ///< Number of designs so far.
 
   std::vector<double> values(const std::vector<prs::Draw>& draws) const {
     std::vector<double> x;
@@ -75,8 +75,7 @@ inline prs::Optimization two_objectives(std::vector<prs::Factor> variables) {
   return optimization;
 }
 
-/// Zitzler, Deb & Thiele (2000), problem 1: the front is g = 1 - sqrt(f), where all
-/// variables but the first are 0.
+/// Zitzler, Deb & Thiele (2000), problem 1: the front is g = 1 - sqrt(f), where all variables except the first are 0.
 inline Problem zdt1(std::size_t dimensions) {
   std::vector<prs::Factor> variables;
   for (std::size_t i = 0; i < dimensions; ++i) variables.push_back(variable("x" + std::to_string(i), 0.0, 1.0));

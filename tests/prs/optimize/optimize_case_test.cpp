@@ -26,12 +26,12 @@ TEST(CaseWith, AddsWhatTheFileLacks) {
   EXPECT_EQ(changed("a: 1\nb:\n  c: 2  # two\n", {"b.d=3", "e.f.g=4 mm"}),
             "a: 1\nb:\n  d: 3\n  c: 2  # two\ne: {f: {g: 4 mm}}\n");
   EXPECT_EQ(changed("b: {c: 2}", {"b.d.e=3", "f=1"}), "b: {d: {e: 3}, c: 2}\nf: 1\n");
-  // Two values in a block that is not there: comments stay.
+  // Two values in a missing block: comments stay.
   EXPECT_EQ(changed("a: 1  # one\n", {"b.c=2", "b.d=3"}), "a: 1  # one\nb: {d: 3, c: 2}\n");
 }
 
 TEST(CaseWith, WritesAnewWhatHasNoPlaceOfItsOwn) {
-  // The alias means another value than its anchor from now on.
+  // The alias then means another value than its anchor.
   EXPECT_EQ(changed("a: &x 1 mm\nb:\n  c: *x\n  d: [{e: 2}, {e: 3}]\n", {"a=5 mm"}),
             "a: 5 mm\nb:\n  c: 1 mm\n  d:\n    - {e: 2}\n    - {e: 3}\n");
 }

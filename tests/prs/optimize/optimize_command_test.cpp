@@ -60,12 +60,12 @@ TEST_F(OptimizeCommand, FindsYaosOptimum) {
   ASSERT_EQ(result["compromise"]["constraints"].size(), 12);
   for (const json& constraint : result["compromise"]["constraints"]) EXPECT_TRUE(constraint["satisfied"]) << constraint;
   EXPECT_EQ(result["search"]["designs"], 500);
-  // Both searches come to the same pressures.
+  // Both searches find the same pressures.
   for (const json& best : result["comparison"]["best"])
     EXPECT_NEAR(best["difference_percent"].get<double>(), 0.0, 1.0) << best;
 }
 
-/// A force off the axis undoes a moment: at (y, z) = (-M_z, M_y)/F the screw carries as if aligned.
+/// A force off the axis cancels a moment: at (y, z) = (-M_z, M_y)/F the screw carries as if aligned.
 TEST_F(OptimizeCommand, AForceOffTheAxisUndoesAMoment) {
   const std::string lesson = test::content_of(fs::path(PRS_SOURCE_DIR) / "configs/25_side_load.yaml");
   std::string text = lesson.substr(0, lesson.find("load_cases:"));
@@ -127,7 +127,7 @@ TEST_F(OptimizeCommand, FilesDependOnTheSeedNotOnThreads) {
   EXPECT_NE(files.at("history.csv"), files_in(other).at("history.csv"));
 }
 
-/// Measures under two load cases, by algorithms that hand over a generation at a time.
+/// Measures under two load cases, by algorithms that request a generation at a time.
 TEST_F(OptimizeCommand, ThreadsDoNotMatterWhereLoadCasesAreSolved) {
   std::ofstream(file) << input::kAbevi
                       << "optimize:\n  command: measures\n  variables:\n"

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::SizeIs;
 using testing::StartsWith;
 
-/// Binh & Korn with a check; a corner of the square has no answer.
+/// Binh & Korn with a check; a corner of the square has no result.
 test::Problem problem() {
   test::Problem problem = test::binh_korn();
   problem.optimization.population = 20;

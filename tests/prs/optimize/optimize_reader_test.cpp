@@ -19,7 +19,7 @@ OptimizeInput read(const std::string& optimize, const std::vector<std::string>& 
   return read_optimize_input({"case.yaml", test::yao_mechanism() + optimize, overrides});
 }
 
-/// What is wrong with an optimization.
+/// Error of an optimization.
 std::string refusal(const std::string& optimize) {
   try {
     read(optimize);

@@ -90,7 +90,7 @@ TEST(Optimizer, ConstrainedFrontOfBinhAndKorn) {
     return y[1] - ((t - 5.0) * (t - 5.0) + (u - 5.0) * (u - 5.0));
   };
   const Distance d = distance(result.search, excess);
-  EXPECT_LT(d.mean, 0.1);  // Of 46.
+  EXPECT_LT(d.mean, 0.1);  // Range: 46.
   EXPECT_LT(of_front(result.search, 0).front(), 0.5);
   EXPECT_NEAR(of_front(result.search, 0).back(), 136.0, 1.5);
   for (const std::size_t k : result.search.front) {
@@ -104,8 +104,8 @@ TEST(Optimizer, ConstrainedFrontOfSrinivasAndDeb) {
   problem.optimization.population = 100;
   problem.optimization.generations = 100;
   const OptimizationResult result = problem.run();
-  // Where the constraints leave room, x = -2.5: there f = 22.25 + (y - 1)^2, and f + g = -0.25, its
-  // least anywhere. It ends where the disc does.
+  // Within the constraints x = -2.5: there f = 22.25 + (y - 1)^2, and f + g = -0.25, its smallest value. The front ends
+  // at the disc.
   const double end = std::sqrt(225.0 - 6.25);
   std::size_t on_line = 0;
   for (const std::size_t k : result.search.front) {
@@ -120,7 +120,7 @@ TEST(Optimizer, ConstrainedFrontOfSrinivasAndDeb) {
   EXPECT_GT(on_line, 50);
 }
 
-/// What tells two results apart.
+/// Numbers that distinguish two results.
 std::vector<std::vector<double>> answers(const OptimizationResult& result) {
   std::vector<std::vector<double>> all;
   for (const Search* search : {&result.search, result.check ? &*result.check : nullptr})
@@ -153,7 +153,7 @@ TEST(Optimizer, AsksForAGenerationAtOnce) {
   }
 }
 
-/// Both searches start from other designs and end at other ones; the better one counts.
+/// Both searches start from different designs and end at different ones; the better one counts.
 TEST(Optimizer, DeliversTheBetterOfBothSearches) {
   test::Problem problem = test::zdt1(4);
   problem.optimization.study.responses = {"f"};
@@ -226,7 +226,7 @@ TEST(Optimizer, GoesOnFromTheMiddleOfAGeneration) {
   Journal whole = Journal::temporary(problem.header());
   const auto expected = answers(*optimize(problem.optimization, problem.evaluate(), whole, {}));
 
-  // A journal with records of other sizes, up to the fifth design of the third generation.
+  // A journal with records of different sizes, up to the fifth design of the third generation.
   Journal part = Journal::temporary(problem.header());
   std::vector<double> rows;
   for (const Journal::Record& record : whole.records()) {
@@ -246,7 +246,7 @@ TEST(Optimizer, GoesOnFromTheMiddleOfAGeneration) {
 TEST(Optimizer, DesignsWithoutAnswerAreTheWorst) {
   test::Problem problem = test::zdt1(2);
   const auto answer = problem.answer;
-  // Half of the range has no answer, one more response is missing in a quarter.
+  // Half of the range has no result, one more response is missing in a quarter.
   problem.answer = [answer](const std::vector<double>& x) {
     if (x[0] > 0.5) return std::vector<double>{};
     std::vector<double> y = answer(x);
@@ -273,7 +273,7 @@ TEST(Optimizer, WithoutAFeasibleDesignTheNearestIsShown) {
   EXPECT_FALSE(result.compromise);
   EXPECT_TRUE(result.search.front.empty());
   ASSERT_TRUE(result.nearest);
-  // The search goes down the violation: f towards 0.
+  // The search reduces the violation: f towards 0.
   EXPECT_LT(result.chosen()->responses[0], 0.1);
   EXPECT_TRUE(result.comparison->best.empty());
 }

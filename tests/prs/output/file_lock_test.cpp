@@ -12,7 +12,7 @@
 namespace prs {
 namespace {
 
-/// A file, opened anew each time: each has locks of its own, as if of another process.
+/// A file, opened anew each time: each has its own locks, like another process.
 class FileLock : public testing::Test {
  protected:
   FileDescriptor open(int flags = O_RDWR) const {
@@ -45,7 +45,7 @@ TEST_F(FileLock, IsGivenUpWhereItsHolderStays) {
 
 TEST_F(FileLock, OfAFileThatHasNoneIsAnErrorThatNamesIt) {
   open();
-  // No more than a name: flock(2) refuses it, as it does on a file system without locks.
+  // A descriptor without access: flock(2) refuses it, as on a file system without locks.
   const FileDescriptor name(::open(path.c_str(), O_PATH | O_CLOEXEC));
   try {
     lock_file(name, LOCK_EX, path, [] { FAIL() << "nothing to wait for"; });

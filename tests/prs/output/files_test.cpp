@@ -19,7 +19,7 @@ std::size_t entries(const fs::path& directory) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
 }
 
-/// What the error says, which names the path; empty if there was none.
+/// Text of the error, which names the path; empty if there was none.
 std::string write_error(const fs::path& directory, const std::vector<OutputFile>& files) {
   try {
     write_files(directory, files);
@@ -38,7 +38,7 @@ TEST(WriteFiles, CreatesDirectoriesAndReplacesFiles) {
   EXPECT_EQ(entries(directory), 2);
 }
 
-/// A device or a pipe would be gone, and a regular file stand in its place.
+/// A device or a pipe would be replaced by a regular file.
 TEST(WriteFiles, LinksPipesAndDevicesStay) {
   const TemporaryDirectory temporary;
   const fs::path pipe = temporary.path() / "pipe", link = temporary.path() / "link";

@@ -20,7 +20,7 @@
 #include "support/shown.h"
 #include "support/temporary_directory.h"
 
-// Fontconfig, by which librsvg finds the letters of PNG files, keeps what it read.
+// Fontconfig, by which librsvg finds the letters of PNG files, keeps the data that it read.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
 
 namespace prs {
@@ -124,7 +124,7 @@ TEST(Figures, LinesUnderOthersAreNamed) {
 TEST(Figures, OfStiffnessNeedRangesOfLoads) {
   Result result;
   add_sweep(result, "short", Direction::tension, 2);
-  EXPECT_FALSE(picture(result, "stiffness"));  // Two dots are no curve.
+  EXPECT_FALSE(picture(result, "stiffness"));  // Two dots are not a curve.
   EXPECT_FALSE(picture(result, "displacement"));
   add_sweep(result, "long", Direction::tension, 3);
   const auto figure = picture(result, "stiffness");
@@ -260,7 +260,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Each by itself in one picture, and some at a time in all of them.
+/// Each in a picture of its own, and several at a time in all of them.
 TEST(Plots, NamesAreDrawnAsTheyStand) {
   std::vector<Result> together(2);
   for (const std::string name : {"'", "''", "\"", "`touch run`", "$(touch run) @x # {", "}", "\\", "%s %d", "pull 50 %",

@@ -31,7 +31,7 @@ class RunFilesTest : public testing::Test {
     fs::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;
   }
-  /// A run that writes files whose content is their name.
+  /// A run that writes files with their names as content.
   std::vector<std::string> run(const std::string& command, const fs::path& case_file,
                                const std::vector<std::string>& names,
                                const std::vector<std::string>& overrides = {}) const {
@@ -40,12 +40,12 @@ class RunFilesTest : public testing::Test {
       write_files((folder / name).parent_path(), {{fs::path(name).filename().string(), name}});
     return files.finish();
   }
-  /// A list by hand of files that a former run is said to have written.
+  /// Writes a list of files as if of a former run.
   void list(const std::map<std::string, std::string>& files) const {
     const nlohmann::json json{{"runs", {{{"command", "solve"}, {"case", "of another"}, {"files", files}}}}};
     write(folder / kFileList, json.dump());
   }
-  /// Files below the folder but for the list.
+  /// Files below the folder except the list.
   std::vector<std::string> present() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -88,7 +88,7 @@ TEST_F(RunFilesTest, WhatCommandsWithoutACaseWroteIsTheirOwn) {
 
 TEST_F(RunFilesTest, ChangedFilesStayAndAreNamed) {
   run("solve", one, {"a.csv", "b.csv"});
-  write(folder / "a.csv", "A.csv");  // As long as it was.
+  write(folder / "a.csv", "A.csv");  // With the same length as before.
   EXPECT_THAT(run("solve", two, {"c.csv"}),
               ElementsAre(HasSubstr("1 file of earlier runs removed"), HasSubstr("a.csv")));
   EXPECT_THAT(present(), ElementsAre("a.csv", "c.csv"));

@@ -67,14 +67,14 @@ TEST(StaticPage, SaysOnceWhyItIsStaticAndRunsNothing) {
     ASSERT_NE(at, std::string::npos);
     for (const char* none : {"<script>", "<script type=\"module\"", "text/plain", "script-src", "id=\"live\""})
       EXPECT_THAT(report.html, Not(HasSubstr(none)));
-    // All else is the page that `--static` writes.
+    // The rest equals the page that `--static` writes.
     std::string rest = report.html;
     rest.erase(at, (start + line + "\n").size());
     EXPECT_EQ(rest, asked);
   }
 }
 
-/// The program with a folder of data that has the lessons, and of live pages what a test writes.
+/// The program with a folder of data that has the lessons, and live parts written by a test.
 class ProgramOfPages : public testing::Test {
  protected:
   test::TemporaryDirectory folder;

@@ -22,7 +22,7 @@ namespace {
 
 using Arrangement = Preload::Arrangement;
 
-/// A sector and how it is preloaded, the first nut held at its thrust section for tension.
+/// A sector and its preload, the first nut held at its thrust section for tension.
 struct PreloadCase {
   test::SectorCase c;
   Preload preload;
@@ -70,7 +70,7 @@ double bisect(const F& increasing, double low, double high) {
   return 0.5 * (low + high);
 }
 
-/// One thread to a roller: bodies are linear springs, and nothing is shared out.
+/// One thread per roller: bodies are linear springs, without load sharing.
 PreloadCase one_thread(Arrangement arrangement) {
   test::SectorCase c = test::abevi();
   c.mechanism.contacts_per_roller = 1;
@@ -183,7 +183,7 @@ TEST(Preload, TwoNutsFollowTheSpringsInTheirLoop) {
   const TwoNuts closed(p, oversize);
   PreloadSolver solver = p.solver();
   EXPECT_NEAR(oversize / (2.0 * closed.contacts(250.0) + 250.0 * closed.loop), 1.0, 1e-10);
-  // Of which the first nut opens: delta = h(F) + F c, of the second: delta = h(F).
+  // Opening of the first nut: delta = h(F) + F c, of the second: delta = h(F).
   const double in_tension = bisect([&](double f) { return closed.contacts(f) + f * closed.loop - oversize; }, 0.0, 1e6);
   const double in_compression = bisect([&](double f) { return closed.contacts(f) - oversize; }, 0.0, 1e6);
   EXPECT_NEAR(solver.opening_force(Direction::tension).value() / in_tension, 1.0, 1e-10);
@@ -275,7 +275,7 @@ TEST_P(Arrangements, TheCurveIsContinuousAndItsSlopeIsTheTangent) {
       const double h = 1e-3;
       const PreloadPoint before = solved(solver, f - h), here = solved(solver, f), after = solved(solver, f + h);
       const double flexibility = 1.0 / *here.tangent_stiffness;
-      // At an opening the contact that opens goes as the square root: its slope changes most.
+      // The stiffness of a contact that opens goes as a square root: the slope changes most there.
       EXPECT_NEAR((here.axial_displacement - before.axial_displacement) / (h * flexibility), 1.0, 5e-4) << f;
       EXPECT_NEAR((after.axial_displacement - here.axial_displacement) / (h * flexibility), 1.0, 5e-4) << f;
     }
@@ -305,7 +305,7 @@ TEST_P(Arrangements, ASideOpensAtItsOpeningForce) {
     }
 }
 
-/// With straight rollers nothing tells tension from compression but the sign.
+/// With straight rollers tension and compression differ only in sign.
 TEST(Preload, AStraightRollerMirrorsTheCurve) {
   test::SectorCase c = test::abevi();
   c.options.roller = ModelOptions::Roller::rigid_bending;
@@ -318,7 +318,7 @@ TEST(Preload, AStraightRollerMirrorsTheCurve) {
   }
 }
 
-/// Beyond the opening the screw is the one of `prs solve`, shifted by what the preload took up.
+/// Beyond the opening the screw behaves as in `prs solve`, shifted by the displacement at the preload.
 TEST_P(Arrangements, BeyondTheOpeningTheOtherSideCarriesAsAlone) {
   SKIP_UNDER_SANITIZERS();
   const bool single = GetParam() == Arrangement::single_nut;

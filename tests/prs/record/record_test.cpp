@@ -48,7 +48,7 @@ constexpr Quantity<Outer> kOuter[] = {
     {"", of<[](const Outer& o) -> const Inner& { return o.inner; }>},
 };
 
-/// What has values under keys, and objects without a type of their own.
+/// Values under keys, and objects without a type of their own.
 struct Mapped {
   ByKey<double> numbers;
   ByKey<Inner> records;
@@ -100,7 +100,7 @@ TEST(Record, DocumentHasWhatIsDefinedInTheUnitOfItsKey) {
   EXPECT_EQ(json.at("good"), true);
   EXPECT_EQ(json.at("count"), 3);
   EXPECT_EQ(json.at("text"), "a");
-  EXPECT_EQ(json.at("angle"), 0.5);  // Of the record without a key.
+  EXPECT_EQ(json.at("angle"), 0.5);  // From the record without a key.
 }
 
 TEST(Record, WhatIsNotFiniteOrGuardedIsAbsent) {
@@ -159,7 +159,7 @@ TEST(Record, ValuesByKeyAndTablesStandWhereTheyAreDescribed) {
   EXPECT_TRUE(rows[5].form.whole && !rows[5].form.required);
 }
 
-/// Every number that documents show as a response is what studies read without them.
+/// Every number that documents show as a response equals the one that studies read without them.
 TEST(Record, ResponsesWithoutADocumentAreThoseOfTheDocument) {
   LoadCaseResult load_case = test::solved_case("a", 45e3, Direction::tension);
   load_case.slip = test::sample_slip(load_case);

@@ -28,7 +28,7 @@ TEST(ShortNumber, IsWhatFmtWritesToTheLastCharacter) {
     const double size = std::uniform_real_distribution<double>(-7.0, 18.0)(random);
     const double value = (k % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, size);
     ASSERT_NO_FATAL_FAILURE(expect_as_fmt(value));
-    // Few digits, as people write them, ties and powers of ten among them.
+    // Short numbers, as people write them, ties and powers of ten among them.
     ASSERT_NO_FATAL_FAILURE(expect_as_fmt(std::round(value * 1e3) / std::pow(10.0, static_cast<double>(k % 12))));
     const double any = std::bit_cast<double>(random());
     ASSERT_NO_FATAL_FAILURE(expect_as_fmt(std::isfinite(any) ? any : 1.0));

@@ -83,7 +83,7 @@ TEST_F(AgainstReferences, TheCasesOwnSharesLieOnItsCurve) {
   EXPECT_NEAR(c.references[0].models[0].deviations->rms, 0.0, 1e-9);
   EXPECT_NEAR(*c.references[0].sum, 100.0, 1e-6);
   EXPECT_TRUE(c.references[0].met());
-  // Refined bodies share the load otherwise, and the case states bars.
+  // Refined bodies share the load differently, and the case states bars.
   EXPECT_FALSE(c.references[0].models[1].met());
   EXPECT_TRUE(compare_analysis().within_tolerance(c));
 }
@@ -322,7 +322,7 @@ TEST(ReferencesOfLesson38, AreThoseOfTheFiniteElements) {
   EXPECT_TRUE(compare_analysis().within_tolerance(c));
 }
 
-/// The nut thread that is farthest off, 19.6 %, over the tolerance.
+/// The nut thread with the largest deviation, 19.6 %, over the tolerance.
 TEST(ReferencesOfTheProgram, AreACriterionOfTheVerdict) {
   const auto criterion = [](const std::string& tolerance) {
     const test::Outcome checked = test::run_prs("check configs/38_reference.yaml --json " + tolerance);

@@ -130,7 +130,7 @@ TEST(LiveReport, MovesInputsThatMatter) {
                                   "data-unit=\"kN\""));
   EXPECT_THAT(controls, HasSubstr("data-value=\"209 GPa\""));
   EXPECT_THAT(controls, HasSubstr("misalignment.nut_tilt.z"));
-  // The file overrides what the flank angle would change.
+  // The file overrides the effect of the flank angle.
   EXPECT_THAT(controls, Not(HasSubstr("mechanism.flank_angle")));
   EXPECT_THAT(report_parts(live_lesson("04_contacts_from_geometry.yaml"), {}).controls,
               HasSubstr("mechanism.flank_angle"));

@@ -27,8 +27,7 @@ input::Source lesson_source(const std::string& name, std::vector<std::string> ov
   return input::load_source(PRS_SOURCE_DIR "/configs/" + name, std::move(overrides));
 }
 
-/// The first element that is not closed where it must be, or what else is no HTML; empty where all
-/// is well.
+/// First element that is not closed as required, or another error of the HTML; empty if there is none.
 std::string malformed(const std::string& page) {
   static const std::set<std::string> kVoid = {"meta", "img", "input", "wbr"};
   static const std::regex tag("<(/?)([a-z0-9A-Z]+)((?:\\s+[a-zA-Z:-]+(?:=\"[^\"<>]*\")?)*)\\s*(/?)>");
@@ -47,7 +46,7 @@ std::string malformed(const std::string& page) {
       at = end;
       continue;
     }
-    if (text.starts_with("<script")) {  // Its text is none of HTML's.
+    if (text.starts_with("<script")) {  // The text of a script is not HTML.
       at = page.find("</script>", at) + 8;
       continue;
     }
@@ -64,7 +63,7 @@ std::string malformed(const std::string& page) {
   return open.empty() ? "" : "<" + open.back() + ">";
 }
 
-/// The legends whose entries do not all have symbols of their own.
+/// Legends in which entries share a symbol.
 std::vector<std::string> ambiguous_legends(const std::string& page) {
   constexpr std::string_view kLegend = "<ul class=\"legend\">", kEntry = "<li>", kEnd = "</svg>";
   std::vector<std::string> found;
@@ -150,12 +149,12 @@ TEST(Report, EachCardNamesItsLimitAndWarningsStandBelowTheVerdict) {
   EXPECT_THAT(page,
               AllOf(HasSubstr("data-tile=\"static_safety\" class=\"red\""), HasSubstr("at least 1, physical limit"),
                     HasSubstr("at least 900.0 N/µm, limits.stiffness"), HasSubstr("temperature (add heat)")));
-  EXPECT_THAT(page, Not(HasSubstr(">1.59")));  // Of equal shares.
+  EXPECT_THAT(page, Not(HasSubstr(">1.59")));  // Value for equal shares.
   EXPECT_LT(page.find("id=\"verdict\""), page.find("id=\"warnings\""));
   EXPECT_LT(page.find("id=\"warnings\""), page.find("id=\"mechanism\""));
 }
 
-/// Peaks of 2.57, 3.99 and 2.92 GPa, as the issue of warnings that named the last one has them.
+/// Peaks of 2.57, 3.99 and 2.92 GPa: the warning must name the worst, not the last.
 TEST(Report, PageAndTableTellTheWorstValueWithItsLoadCase) {
   const std::string rest = ", direction: tension, position: 29.1666667 mm}";
   const input::Source source =
@@ -179,7 +178,7 @@ TEST(Report, PageAndTableTellTheWorstValueWithItsLoadCase) {
     EXPECT_THAT(text, AllOf(HasSubstr(group->text().substr(0, 70)), HasSubstr(group->where())));
 }
 
-/// What stands between two texts; empty where they do not.
+/// Text between two others; empty if these are missing.
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
   const std::size_t begin = text.find(from);
   if (begin == text.npos) return {};
@@ -271,7 +270,7 @@ TEST(Report, KeepsTheDateThatItIsGiven) {
   const Report first = make_report(source, {"prs report"});
   EXPECT_THAT(first.html, HasSubstr("1970-01-02"));
   EXPECT_EQ(first.html, make_report(source, {"prs report"}).html);
-  ::setenv("SOURCE_DATE_EPOCH", "99999999999999999", 1);  // Beyond what a calendar takes.
+  ::setenv("SOURCE_DATE_EPOCH", "99999999999999999", 1);  // Beyond the range of a calendar.
   EXPECT_NO_THROW(make_report(source, {"prs report"}));
   ::unsetenv("SOURCE_DATE_EPOCH");
 }
@@ -393,7 +392,7 @@ TEST(Svg, DrawsTheSameInUnitsOfTables) {
   const std::string us = svg(figure, "x");
   EXPECT_THAT(si, AllOf(HasSubstr("Force (kN)"), HasSubstr("y (mm)")));
   EXPECT_THAT(us, AllOf(HasSubstr("Force (lbf)"), HasSubstr("y (in)"), HasSubstr(">1500<")));
-  // Of 7 - 1 in 8, in either unit.
+  // Share 7 - 1 in 8, in either unit.
   EXPECT_NEAR(share_of_line(us), 0.75, 1e-3);
   EXPECT_NEAR(share_of_line(si), 0.75, 1e-3);
 }

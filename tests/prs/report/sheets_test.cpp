@@ -38,7 +38,7 @@ TEST(TitleBlock, SaysWhatTheFileSaysOfTheReport) {
                           HasSubstr("<dd>&lt;/style&gt;&lt;b&gt;A &amp; B</dd>"), HasSubstr("<dd>Jane</dd>"),
                           Not(HasSubstr("<b>"))));
   EXPECT_THAT(page, HasSubstr("@bottom-left{content:\"Press 40 kN · No\\2e  C\\2d 12 · rev"));
-  EXPECT_THAT(page, Not(HasSubstr("<code>report.")));  // No input of the calculation.
+  EXPECT_THAT(page, Not(HasSubstr("<code>report.")));  // Not an input of the calculation.
   EXPECT_THAT(make_report(input::load_source(kLesson, {}), {.live = false}).html,
               HasSubstr("<h1>05_standard_screw</h1>"));
 }
@@ -111,7 +111,7 @@ TEST(PageSvg, HasAnImageForEachPanel) {
   }
   const std::string drawn = svg(figure, "f");
   EXPECT_EQ(count_of(drawn, "class=\"half\" role=\"img\""), 2u);
-  EXPECT_EQ(count_of(drawn, "Peak pressure (GPa)"), 2u);  // Each stands by itself on a phone.
+  EXPECT_EQ(count_of(drawn, "Peak pressure (GPa)"), 2u);  // Each is separate on a phone.
   EXPECT_EQ(count_of(drawn, "clipPath id=\"f-1-0\""), 1u);
   EXPECT_EQ(count_of(drawn, "clipPath id=\"f-0-0\""), 1u);
   EXPECT_THAT(drawn, HasSubstr("<ul class=\"legend\">"));

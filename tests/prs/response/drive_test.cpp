@@ -145,7 +145,7 @@ TEST(Drive, PlayIsCrossedBackAndForth) {
   ASSERT_GE(r.impacts.size(), 15U);
   for (std::size_t i = 0; i < 15; ++i) {
     EXPECT_NEAR(r.impacts[i].time, a / v + static_cast<double>(i) * half, 1e-6 * half);
-    EXPECT_EQ(r.impacts[i].flank, i % 2 == 0 ? -1 : 1);  // The load runs ahead of the held screw.
+    EXPECT_EQ(r.impacts[i].flank, i % 2 == 0 ? -1 : 1);  // The load is ahead of the held screw.
     EXPECT_NEAR(r.impacts[i].speed, v, 1e-5 * v);
     EXPECT_NEAR(r.impacts[i].energy, 0.5 * m * v * v, 2e-5 * m * v * v);
   }
@@ -166,7 +166,7 @@ TEST(Drive, HertzianFlanksStopAMass) {
   EXPECT_NEAR(r.tension.value, expected, 1e-5 * expected);
 }
 
-/// The loss of material damping begins with the root of the time behind each impact.
+/// The loss of material damping begins with the root of the time after each impact.
 TEST(Drive, EnergiesOfADampedMassThatBouncesClose) {
   for (const double beta : {2e-5, 2e-4}) {
     PlainDrive d;
@@ -195,7 +195,7 @@ TEST(Drive, AStopTakesTheWholeSpeed) {
 TEST(Drive, AScrewDraggedThroughASoftCouplingLetsGoWhereItsFrictionEnds) {
   PlainDrive d;
   const double speed = 10.0, k = 50.0, drag = 0.2;
-  d.set_stiffness(2e8, 0.1);  // The load takes no part.
+  d.set_stiffness(2e8, 0.1);  // The load does not take part.
   d.drive.start_deflection = 0.0;
   d.drive.coupled = 1;
   d.drive.coupling_stiffness = k;
@@ -213,7 +213,7 @@ TEST(Drive, AScrewDraggedThroughASoftCouplingLetsGoWhereItsFrictionEnds) {
   }
   const auto first = std::ranges::find_if(r.omega, [](double w) { return w != 0.0; });
   EXPECT_NEAR(r.time[static_cast<std::size_t>(first - r.omega.begin())], lets_go, 2e-5);
-  // Then W (1 - cos): no peak of friction above that of sliding.
+  // From then on W (1 - cos): friction has no peak above that of sliding.
   const double w = std::sqrt(k / 3e-4), t = 3e-3 - lets_go;
   EXPECT_NEAR(r.omega[300], speed * (1.0 - std::cos(w * t)), 1e-5 * speed);
 }
@@ -320,7 +320,7 @@ TEST(Drive, PositionOfTheStartDoesNotMatter) {
 /// The rotor alone: below the bound J omega' = k (largest - omega).
 TEST(Drive, ThePositionLoopAsksForNoMoreThanTheLargestSpeed) {
   PlainDrive d;
-  d.set_stiffness(2e8, 0.1);  // The load takes no part.
+  d.set_stiffness(2e8, 0.1);  // The load does not take part.
   d.drive.start_deflection = 0.0;
   d.drive.by = PRS_POSITION_LOOP;
   d.drive.motor_inertia = 4e-4;

@@ -28,8 +28,8 @@ Json response_of(const input::Source& source) {
   return run(analysis_of(Command::response), source).document({})["response"];
 }
 
-/// 5e-4 of extremes and scalars, 3e-4 of pressures and of the range of a series, 1e-3 of impacts, losses
-/// and damping, 2e-3 over frequency, `slack` times.
+/// Tolerances, times `slack`: 5e-4 for extremes and scalars, 3e-4 for pressures and for the range of a series, 1e-3 for
+/// impacts, losses and damping, 2e-3 over frequency.
 void expect_near(const Json& found, const Json& expected, const std::string& path, double slack) {
   if (expected.is_object()) {
     for (const auto& [key, value] : expected.items()) {
@@ -188,7 +188,7 @@ TEST(Response, APreloadIsSaidToTakeTheTorqueOfSlipAtZeroLoad) {
   const Json slip = run(analysis_of(Command::slip), source_of(given, {"load_cases[0].axial_force=0 N"}))
                         .document({})["load_cases"][0]["slip"];
   EXPECT_TRUE(warns(source_of(given), fmt::format("{:.2f} N m by `prs slip`", slip["torque_screw_Nm"].get<double>())));
-  EXPECT_FALSE(warns(source_of(solved()["cases"][0]), "`prs slip`"));  // Play takes nothing.
+  EXPECT_FALSE(warns(source_of(solved()["cases"][0]), "`prs slip`"));  // Play costs nothing.
 }
 
 TEST(Response, SpeedsAlongTheAxisAreTurnedByTheLead) {
@@ -218,7 +218,7 @@ TEST(Response, HashOfTheInputCoversFilesOfSignals) {
   EXPECT_NE(input::input_sha256(source), one);
 }
 
-/// Rolling evenly takes the torque that `prs slip` has for that force and speed.
+/// Steady rolling needs the torque of `prs slip` for that force and speed.
 TEST(Response, SteadyRollingTakesTheTorqueOfSlip) {
   for (const char* friction : {"friction={coulomb: 0.08}", "friction={model: {mixed: {boundary: 0.11, exponent: 2}}}"})
     for (const auto& [force, speed] : {std::pair{9e3, -700.0}, std::pair{-4e3, -300.0}}) {
@@ -297,7 +297,7 @@ TEST(Response, ResonancesAreWhereTheComplianceIsLargest) {
   const double resonance = response["resonances"][0]["frequency_Hz"],
                zeta = response["resonances"][0]["damping_percent"];
   EXPECT_NEAR(response["frequency_Hz"][most], resonance * std::sqrt(1.0 - 2e-4 * zeta * zeta), 0.5);
-  // Of one mass on a held screw.
+  // Frequency of one mass on a held screw.
   const double k = 1e6 * response["tangent_stiffness_N_per_um"].get<double>(), m = 80.0;
   const double w = std::sqrt(k / m), damping = 60e-6 * k + 150.0;
   EXPECT_NEAR(resonance, w / (2.0 * std::numbers::pi), 1e-9 * resonance);
@@ -387,7 +387,7 @@ TEST(Response, FrequencyResponseIsThatOfASmallSine) {
 }
 
 TEST(Response, FrequencyResponseOfTheMotorIsThatOfASmallSine) {
-  // Rolling under an even torque, without dry friction but that of the threads.
+  // Rolling under a constant torque, without dry friction except in the threads.
   Json given = solved()["cases"][2];
   Json& block = given["input"]["response"];
   const double frequency = 300.0;

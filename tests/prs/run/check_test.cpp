@@ -43,7 +43,7 @@ TEST(Check, SaysForEachCommandWhetherItIsReadyAndWhatToAdd) {
   EXPECT_EQ(running["life"]["loads"], "running");
 }
 
-/// A start that stands off takes more load, whichever way is worse; who states errors is not told.
+/// A start that is offset takes more load, whichever sense is worse; cases that state errors get no warning.
 TEST(Check, SaysWhatPerfectPartsHide) {
   const auto note = [](const std::vector<std::string>& overrides) {
     const Json checked_case = checked("14_flight_spectrum.yaml", overrides);
@@ -141,7 +141,7 @@ TEST(Check, WarnsOfWhatIsOddTogether) {
               Contains(AllOf(StartsWith("mechanism.lead: "), HasSubstr("a helix angle of 32."))));
 }
 
-/// Nominal diameters interfere a little; lessons say why.
+/// Nominal diameters interfere slightly; the lessons explain it.
 TEST(Check, ASmallInterferenceIsToldFromALargeOne) {
   for (const char* lesson : {"01_config_1_to_3.yaml", "21_jung_envelope.yaml"})
     EXPECT_THAT(checked(lesson)["warnings"].get<std::vector<std::string>>(),
@@ -156,7 +156,7 @@ std::vector<std::string> warned(const input::Source& source, Command command) {
   return warnings;
 }
 
-/// Also where the most loaded thread, not the mean one, is what is unusual.
+/// Also if the most loaded thread, not the mean one, is unusual.
 TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
   const input::Source source = input::load_source(
       PRS_SOURCE_DIR "/validation/standard_screws/screw_30x10.yaml",
@@ -173,7 +173,7 @@ TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
   EXPECT_THAT(warned(full, Command::check), Contains(HasSubstr("GPa, even with equal shares")));
 }
 
-/// One cause, one warning: a load that is odd by itself has no warning of its pressure.
+/// One cause, one warning: an unusual load has no second warning about its pressure.
 TEST(Check, AnOddValueHasOneWarning) {
   for (const auto& [lesson, override, path, text] :
        {Odd{"04_contacts_from_geometry.yaml", "load_cases[0].axial_force=1e9 kN", "load_cases[0].axial_force",
@@ -197,7 +197,7 @@ TEST(Check, DerivedValuesHaveTheUnitsOfTables) {
   EXPECT_EQ(us.out.find("_mm"), std::string::npos);
 }
 
-/// Equal shares have no preload, which slip takes otherwise.
+/// Equal shares have no preload, which slip would otherwise use.
 TEST(Check, SlipSaysWhereNoLoadTakesThePreload) {
   const std::string lesson = PRS_SOURCE_DIR "/configs/34_reversal.yaml";
   const auto note = HasSubstr("preload: the load cases are solved without preload");
@@ -216,7 +216,7 @@ TEST(Slip, SaysWhichLoadsTakeNothingOfThePreload) {
   EXPECT_THAT(cases[1]["warnings"].dump(), HasSubstr("preload: equal shares are those of the external load alone"));
 }
 
-/// Warnings on single values stand first in every command's document.
+/// Warnings on single values are first in every command's document.
 TEST(Check, OddValuesAreToldByEveryCommand) {
   const input::Source source =
       input::load_source(PRS_SOURCE_DIR "/configs/18_design_measures.yaml", {"materials.poisson_ratio=0.45"});
@@ -227,8 +227,7 @@ TEST(Check, OddValuesAreToldByEveryCommand) {
         << name(command);
 }
 
-/// `KEY: what is unusual`, in every lesson and command; code and path tell all of a load case
-/// apart.
+/// `KEY: what is unusual`, in every lesson and command; code and path distinguish all warnings of a load case.
 TEST(Check, WarningsNameTheKey) {
   for (const char* lesson :
        {"01_config_1_to_3.yaml", "09_slip_and_dissipation.yaml", "12_preload.yaml", "13_three_models.yaml",
@@ -249,7 +248,7 @@ TEST(Check, WarningsNameTheKey) {
       for (const Json& load_case : document.value("load_cases", Json::array()))
         for (const Json& warning : load_case["warnings"]) warnings.push_back(warning);
       for (const std::string& warning : warnings) {
-        if (warning.starts_with("overridden by ")) continue;  // Names its keys further on.
+        if (warning.starts_with("overridden by ")) continue;  // The warning names its keys later in the text.
         const std::string key = warning.substr(0, warning.find(": "));
         EXPECT_THAT(key, testing::MatchesRegex("[a-z_]+[][0-9a-z_.]*")) << lesson << ": " << warning;
       }

@@ -62,7 +62,7 @@ TEST(Commands, NameTheBlocksThatTheyLack) {
   EXPECT_THAT(input::missing(in, Command::optimize), ElementsAre("optimize"));
 }
 
-/// What is suggested has the file's own design, so that no best design is worse.
+/// The suggestion contains the file's own design, so that no best design is worse.
 TEST(Commands, SuggestDesignsAroundThatOfTheFile) {
   const input::CaseInput in = read(lesson("01_config_1_to_3.yaml"));
   ASSERT_EQ(in.values.mechanism.rollers, 11);
@@ -71,7 +71,7 @@ TEST(Commands, SuggestDesignsAroundThatOfTheFile) {
   EXPECT_THAT(input::unmet(in, Command::study).at(0).message, HasSubstr("{path: mechanism.rollers, values: [10, 11]}"));
 }
 
-/// A study needs what the command of its designs does.
+/// A study needs the inputs of the command of its designs.
 TEST(Commands, AStudyLacksWhatItsDesignsLack) {
   const std::string study = "study={command: slip, factors: [{path: mechanism.rollers, values: [8, 9]}]}";
   EXPECT_THAT(input::missing(read(lesson("01_config_1_to_3.yaml", {study})), Command::study),
@@ -79,7 +79,7 @@ TEST(Commands, AStudyLacksWhatItsDesignsLack) {
   EXPECT_THAT(input::missing(read(lesson("09_slip_and_dissipation.yaml", {study})), Command::study), IsEmpty());
 }
 
-/// What the table of quantities lists and what results have are the same names.
+/// The names in the table of quantities equal those in results.
 TEST(Responses, OfACaseAreThoseOfTheTable) {
   const std::vector<std::string> known = known_responses();
   const std::set<std::string> table(known.begin(), known.end());
@@ -100,7 +100,7 @@ TEST(Responses, OfAStudyAreThoseOfItsCommand) {
   EXPECT_THAT(paths, testing::Not(testing::Contains("slip.efficiency")));
 }
 
-/// Whoever keeps one needs neither the case nor the result.
+/// A delivery needs neither the case nor the result to stay alive.
 TEST(Delivery, OutlivesWhatItWasMadeOf) {
   Delivery delivery;
   DocumentInfo info;

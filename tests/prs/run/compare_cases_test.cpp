@@ -44,7 +44,7 @@ TEST(CompareCases, TellsTheInputsThatDifferAndEachResultAsItsCommandHasIt) {
   EXPECT_NEAR(row(both["inputs"], "mechanism.lead")["change_percent"].get<double>(), 20.0, 1e-9);
   for (std::size_t k = 0; k < first["load_cases"].size(); ++k) {
     const std::string key = "axial_stiffness_N_per_um";
-    if (!first["load_cases"][k].contains(key)) continue;  // Of equal shares.
+    if (!first["load_cases"][k].contains(key)) continue;  // Keys of equal shares.
     const double before = first["load_cases"][k][key], after = second["load_cases"][k][key];
     const Json& found = row(both["results"], key, first["load_cases"][k]["name"]);
     EXPECT_EQ(found["value"], before);

@@ -36,7 +36,7 @@ Json document_of(const AnyAnalysis& row, const input::Source& source) {
   return run(row, source).document(document_info(source, row.command));
 }
 
-/// Runs `use` on every lesson and command that it is complete for.
+/// Runs `use` on every lesson and command for which it is complete.
 void for_each_run(const auto& use) {
   for (const std::filesystem::path& file : all_lessons()) {
     const input::Source source = input::load_source(file.string(), {});
@@ -62,9 +62,9 @@ double largest(const Json& value) {
   return size;
 }
 
-/// Numbers to 1e-12 of themselves, in a list and among reactions, which nearly cancel, of the
-/// largest; what a travel and modes have is small against displacements of 50 um and 50 kg; where a curve is flat its
-/// highest point moves by the root of its values. How a solver got there is out of the way.
+/// Compares numbers to 1e-12 relative, in a list and among reactions, which nearly cancel, relative to the largest;
+/// values of a travel and modes are small against displacements of 50 um and 50 kg; on a flat curve the highest point
+/// moves by the root of its values. The history of the solver is ignored.
 void expect_agreement(const Json& a, const Json& b, const std::string& path, double scale = 0.0) {
   static const std::set<std::string> of_the_way = {"newton_history",    "factorization",    "iterations",
                                                    "relative_residual", "relative_residue", "interpolation_error",
@@ -108,14 +108,14 @@ constexpr const char* kLongRuns[] = {
     "configurations --screw-diameter 21mm --lead 5mm",
 };
 
-/// A document with three of each long list: hundreds of the same kind follow.
+/// Keeps three items of each long list: hundreds of the same kind follow.
 void shorten(Json& document) {
   if (document.is_array() && document.size() > 20) document.erase(document.begin() + 3, document.end());
   for (Json& item : document)
     if (item.is_structured()) shorten(item);
 }
 
-/// What jsonschema finds wrong: one line per document with the name of its schema.
+/// Errors found by jsonschema: one line per document with the name of its schema.
 std::string verdict(const std::vector<std::pair<std::string, Json>>& documents) {
   const test::TemporaryDirectory folder;
   const auto save = [&](const std::string& name, const Json& json) {
@@ -144,11 +144,10 @@ std::string verdict(const std::vector<std::pair<std::string, Json>>& documents) 
   return test::content_of(folder.path() / "found");
 }
 
-/// All of each document, which is computed once: CHOLMOD's and Eigen's factorizations give the
-/// same. In the resolved input overrides and defaults are stated; what the file refers to stands
-/// where it stood.
+/// Compares each whole document, computed once: CHOLMOD's and Eigen's factorizations give the same. The resolved input
+/// states overrides and defaults; files that it refers to keep their places.
 TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheirResolvedInput) {
-  SKIP_UNDER_SANITIZERS();  // There `LessonReport` takes all lessons.
+  SKIP_UNDER_SANITIZERS();  // `LessonReport` covers all lessons under sanitizers.
   std::vector<std::pair<std::string, Json>> documents;
   int factorized = 0;
   for_each_run([&](const AnyAnalysis& row, const input::Source& source) {
@@ -162,7 +161,7 @@ TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheir
     fe::factorize_by_eigen(true);
     const Json by_eigen = document_of(row, source);
     fe::factorize_by_eigen(false);
-    // Impacts make much of rounding, and so do the differences of a fit.
+    // Impacts amplify rounding, and so do the differences of a fit.
     if (row.command != Command::response && row.command != Command::fit)
       expect_agreement(document, by_eigen, source.name + ' ' + std::string(name(row.command)));
     factorized += document.dump().find("\"factorization\":\"CHOLMOD") != std::string::npos &&

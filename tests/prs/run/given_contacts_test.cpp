@@ -20,10 +20,10 @@ concept HasMechanism = requires(T t) {
   t.mechanism;
 };
 
-// An analysis gets contacts and conditions: it has no other mechanism to find contacts of.
+// An analysis gets contacts and conditions: it has no other mechanism from which to find contacts.
 static_assert(HasMechanism<Case> && HasMechanism<Contacts> && !HasMechanism<Conditions>);
 
-/// A case that every analysis takes, with solved and equal thread loads.
+/// A case for every analysis, with solved and equal thread loads.
 Case complete_case(const std::vector<std::string>& overrides) {
   std::string text = input::kAbevi;
   text.resize(text.find("load_cases:"));

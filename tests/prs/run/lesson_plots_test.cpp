@@ -32,7 +32,7 @@ Figures of_lesson(const char* file, Command command, std::vector<std::string> ov
   return figures(delivery.pictures());
 }
 
-/// All pictures of each lesson, run as its file says first.
+/// All pictures of each lesson, run as its file first says.
 TEST(LessonPlots, TextsStandApart) {
   static const std::regex line(R"(#\s+(prs \w+ configs/(\S+)\.yaml))");
   std::size_t lessons = 0;
@@ -131,14 +131,14 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
     const Delivery delivery = run(analysis_of(Command::solve), turned);
     return figure(delivery.pictures(), "section", {.load_case = 0});
   };
-  const auto arrow_of = [](const Figure& section) {  // From its tail to its tip.
+  const auto arrow_of = [](const Figure& section) {  // Arrow from its tail to its tip.
     for (const Series& series : section.panels[0].series)
       if (const Style& s = section.styles[series.style]; s.shape == Shape::area && s.colour == Colour::bad)
         return Polyline{series.parts.at(0).at(0), series.parts.at(0).at(3)};
     return Polyline{{0.0, 0.0}, {0.0, 0.0}};
   };
   const Figure pulled = drawn("tension"), pushed = drawn("compression");
-  EXPECT_LT(arrow_of(pulled)[1][0], arrow_of(pulled)[0][0]);  // Out of the nut.
+  EXPECT_LT(arrow_of(pulled)[1][0], arrow_of(pulled)[0][0]);  // Pointing out of the nut.
   EXPECT_GT(arrow_of(pushed)[1][0], arrow_of(pushed)[0][0]);
   std::string texts, legend;
   for (const Label& label : pulled.panels[0].labels) texts += label.text + "; ";
@@ -148,7 +148,7 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
   EXPECT_THAT(legend, testing::HasSubstr("section where the nut is held"));
 }
 
-/// Where the mark of the section that holds the nut ends [mm].
+/// Top of the mark of the section that holds the nut [mm].
 double top_of_mark(const Figure& section) {
   for (const LegendEntry& entry : section.legend)
     for (const Series& series : section.panels[0].series)

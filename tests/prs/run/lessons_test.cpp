@@ -13,7 +13,7 @@
 namespace prs {
 namespace {
 
-/// The lessons in their order, and the comment that each begins with.
+/// Lessons in order, and the comment at the start of each.
 struct Lesson {
   std::string name, comment;
 };

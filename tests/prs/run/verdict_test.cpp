@@ -30,7 +30,7 @@ Json verdict(const std::string& lesson, const Overrides& overrides = {}) {
   return document(Command::check, lesson, overrides)["verdict"];
 }
 
-/// The criterion of a name; null where there is none.
+/// Criterion with a name; null if there is none.
 Json criterion(const Json& verdict, const std::string& name) {
   for (const Json& c : verdict["criteria"])
     if (c["name"] == name) return c;
@@ -54,13 +54,13 @@ TEST(Verdict, StaticSafetyIsTheWorstOfAllLoadCasesWithTheirShares) {
   EXPECT_EQ(c["value"], least);
   EXPECT_EQ(c["load_case"], where);
   EXPECT_LT(least, 1.0);
-  EXPECT_GT(equal, 1.5);  // What equal shares would have called green.
+  EXPECT_GT(equal, 1.5);  // Value that equal shares would have called green.
   EXPECT_EQ(c["state"], "red");
   EXPECT_EQ(c["limit"], 1.0);
   EXPECT_EQ(c["limit_source"], "physics");
 }
 
-/// The pressure limit and the static rating by pressure are one limit: both are passed at once.
+/// The pressure limit and the static rating by pressure are one limit: both are exceeded at once.
 TEST(Verdict, PressureIsThatOfTheMostLoadedThread) {
   const Json of_case = verdict(kAbevi), c = criterion(of_case, "peak_pressure");
   double largest = 0.0;
@@ -76,10 +76,10 @@ TEST(Verdict, PressureIsThatOfTheMostLoadedThread) {
 
 struct Limited {
   const char *name, *unit;
-  double factor = 1.0;  ///< What the file has over what the document has.
+  double factor = 1.0;  ///< Ratio of the value in the file to that in the document.
 };
 
-/// Limits a little to either side of the values turn the states.
+/// Checks that limits slightly to either side of the values change the states.
 void expect_turn(const std::string& lesson, const std::vector<Limited>& limits, const Overrides& overrides = {}) {
   const auto with = [&](auto limit_of) {
     std::string block;
@@ -122,7 +122,7 @@ TEST(Verdict, ADriveCountsForPressureSpeedAndBuckling) {
   EXPECT_EQ(buckling["state"], "red");
 }
 
-/// Also where nothing but `preload` takes it into account.
+/// Also if only `preload` takes it into account.
 TEST(Verdict, PressureIsThatUnderPreload) {
   const Overrides strong{"preload.force=90 kN", "preload.load={from: 2 kN, to: 4 kN, steps: 2}",
                          "load_cases=[{name: pull, axial_force: 2 kN, direction: tension, position: 29.1666667 mm}]"};
@@ -140,7 +140,7 @@ TEST(Verdict, PressureIsThatUnderPreload) {
   EXPECT_THAT(safety["reason"].get<std::string>(), HasSubstr("under preload"));
 }
 
-/// What a strong preload leaves of the limit: nothing, where it passes it alone.
+/// Remainder of the limit under a strong preload: none, if the preload alone exceeds it.
 TEST(Verdict, StaticSafetyUnderStrongPreloadIsThatOfThePreloadCurve) {
   const auto strong = [](const char* preload, const std::string& range = "{from: 1 kN, to: 2 kN, steps: 2}") {
     return Overrides{std::string("preload.force=") + preload, "preload.load=" + range,
@@ -200,7 +200,7 @@ TEST(Verdict, StatedLimitsAreMetOrMissed) {
   expect_turn(kDuty, {{"efficiency", " %", 100.0}, {"temperature", " degC"}});
 }
 
-/// d = 30 mm at 1000 rpm; the nut as the file has it.
+/// d = 30 mm at 1000 rpm; the nut as in the file.
 TEST(Verdict, PlainValuesAreThoseOfTheFile) {
   const Json all = verdict(kMeasured, {"limits={speed_times_diameter: 150000 mm/min, "
                                        "nut_diameter: 80 mm, nut_length: 120 mm}"});
@@ -228,7 +228,7 @@ TEST(Verdict, WhatCannotBeComputedIsNeverMet) {
   EXPECT_EQ(criterion(verdict(kAbevi), "critical_speed_share")["state"], "not_applicable");
 }
 
-/// The check makes no matrices; equal shares that the case states are told.
+/// The check makes no matrices; it reports equal shares that the case states.
 TEST(Verdict, SaysWhereThreadLoadsAreNotSolved) {
   const Json equal = criterion(verdict("07_contact_geometry.yaml"), "static_safety");
   EXPECT_THAT(equal["reason"].get<std::string>(), testing::StartsWith("equal shares, "));
@@ -237,7 +237,7 @@ TEST(Verdict, SaysWhereThreadLoadsAreNotSolved) {
   EXPECT_THAT(influence["reason"].get<std::string>(), HasSubstr("influence"));
 }
 
-/// Between what physics allows and what is recommended.
+/// Between the physical and the recommended limit.
 TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
   const double force = 30.0;  // [kN]
   const double safety = criterion(verdict(kMeasured), "static_safety")["value"];
@@ -253,7 +253,7 @@ TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
   EXPECT_EQ(at(1.51)["limit_source"], "recommended");
 }
 
-/// A screw of 19 rollers that overlap: said, judged red, and no page is made of it.
+/// A screw of 19 overlapping rollers: a warning, a red verdict, and no page.
 TEST(Verdict, AnImpossibleScrewIsRedAndEndsAsWrongInput) {
   const Overrides crowded{"mechanism.rollers=19"};
   const Json v = verdict("31_running_screw.yaml", crowded);
@@ -285,7 +285,7 @@ TEST(Verdict, FewContactsThinFilmsAndShortStrokesAreAmber) {
   EXPECT_EQ(criterion(verdict("05_standard_screw.yaml"), "contacts_per_roller"), Json());
 }
 
-/// An ellipse over the edge of a flank is an edge stress: amber, and the static safety does not know of it.
+/// An ellipse over the edge of a flank is an edge stress: amber, and static safety does not include it.
 TEST(Verdict, TheFlanksEdgeIsACriterionOfItsOwn) {
   const double margin = criterion(verdict(kMeasured), "flank_edge")["value"];
   const Overrides over{fmt::format("load_cases[0].axial_force={:.12g} kN", 30.0 * 1.01 * margin),
@@ -298,7 +298,7 @@ TEST(Verdict, TheFlanksEdgeIsACriterionOfItsOwn) {
   EXPECT_NEAR(criterion(v, "static_safety")["value"], 900.0 / (30.0 * 1.01 * margin), 1e-9);
 }
 
-/// Temperature is the hottest of slip and life; what stands on loads is that of the parts as they run.
+/// Temperature is the hottest of slip and life; quantities that depend on loads are those of running parts.
 TEST(Verdict, HeatCountsInEveryCriterion) {
   const Json v = verdict(kDuty);
   const Json cycle = document(Command::slip, kDuty)["heat_cycle"];
@@ -366,7 +366,7 @@ TEST(Verdict, TheTableNamesLimitAndLoadCase) {
   EXPECT_LT(table.find("Not met: "), table.find("\nWarnings"));
 }
 
-/// One number for each quantity: estimates are for those who ask for all.
+/// One number for each quantity: estimates are shown on request only.
 TEST(Headlines, EstimatesStandInTheFullTablesAlone) {
   const test::TemporaryDirectory folder;
   const std::string file = folder.path() / "screw.yaml";

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Names of `size` under which `check` has another one.
+/// Name in `check` of a criterion of `size`, if different.
 std::string name_in_check(const std::string& name) {
   if (name == "buckling") return "buckling_safety";
   return name == "critical_speed" ? "critical_speed_share" : name;
@@ -32,8 +32,8 @@ std::string state_of(CriterionStatus status) {
   return status == CriterionStatus::fail ? "red" : std::string(name(status));
 }
 
-/// A candidate, written as a case, has in `check` the numbers, units, limits and states that the list gives it, but
-/// for the interval of relubrication, which is no number of the screw.
+/// Checks that a candidate, written as a case, has in `check` the numbers, units, limits and states of the list, except
+/// the interval of relubrication, which is not a number of the screw.
 void expect_one_set_of_numbers(const input::Source& source) {
   const SizeResult result = size_screws(read_requirement(source));
   ASSERT_FALSE(result.candidates.empty());
@@ -123,7 +123,8 @@ TEST(WrittenCandidate, HasTheMotorOfAHistory) {
   expect_one_set_of_numbers(source);
 }
 
-/// What the requirement states has no mark, what it leaves to defaults has one, and a default of the case no line.
+/// Values that the requirement states have no mark, those left to defaults have one, and defaults of the case have no
+/// line.
 TEST(WrittenCandidate, MarksWhatTheRequirementLeavesToDefaults) {
   const SizeResult result = size_screws(read_requirement(input::source_of_text(
       "need.yaml", kPress + "stroke: 250 mm\nlife: {reliability: 95 %}\nlimits: {static_safety: 2}\n", {})));
@@ -133,11 +134,11 @@ TEST(WrittenCandidate, MarksWhatTheRequirementLeavesToDefaults) {
   EXPECT_TRUE(has("  reliability: 95 %\n"));
   EXPECT_TRUE(has("  static_safety: 2\n"));
   EXPECT_TRUE(has("  buckling_safety: 2  # assumed 2: default of `prs size`\n"));
-  EXPECT_TRUE(has(", ends: fixed_supported}: default of `prs size`\n"));  // The stroke is the requirement's.
+  EXPECT_TRUE(has(", ends: fixed_supported}: default of `prs size`\n"));  // The stroke is stated in the requirement.
   EXPECT_FALSE(has("modification_factor"));
 }
 
-/// Its duty names load cases, of which the largest alone are solved for what matters to the case.
+/// The duty names load cases, of which only the largest are solved for the warnings of the case.
 TEST(WrittenCandidate, HeatHidesNoAssumption) {
   const SizeResult result = size_screws(read_requirement(input::source_of_text(
       "need.yaml", kPress + "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}}\n",

@@ -28,7 +28,7 @@ const json& guided_cases() {
   return all;
 }
 
-/// The screw of the cases with nominal normals, or with normals that differ, which press the guides more.
+/// The screw of the cases with nominal normals, or with different normals, which load the guides more.
 json guided(const char* clearance, bool skew = false, const char* stiffness = "2e7 N/m") {
   json c = guided_cases()[skew ? 3 : 1]["case"];
   json& guidance = c["structure"]["roller"]["guidance"];
@@ -128,7 +128,7 @@ TEST(Guides, BeyondEveryDisplacementAreNone) {
   }
 }
 
-/// The law at each guide, and the forces across the axis of each roller.
+/// Checks the law at each guide, and the lateral forces of each roller.
 void expect_balance(const std::vector<GuideLoads>& guides, RingGuide ring, double outwards, double tolerance) {
   double force = 0.0;
   for (const GuideLoads& g : guides)
@@ -216,7 +216,7 @@ SectorCase short_guided(double stiffness, double clearance) {
   return c;
 }
 
-/// Forces on patches of some width around the axis are not quite parallel [N].
+/// Error of forces on patches of some width around the axis, which are not quite parallel [N].
 constexpr double kPatches = 1.0;
 
 TEST(Guides, OfMeshedBodiesTendToTheRing) {

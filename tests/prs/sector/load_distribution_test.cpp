@@ -259,7 +259,7 @@ TEST(LoadDistribution, VanishingLoadTendsToEqualSharesWithItsCubeRoot) {
       const std::vector<double> r = rates(c, solve(c, force), Interface::screw, force);
       return *std::max_element(r.begin(), r.end()) - 0.05;
     };
-    // The deviation is an expansion in F^(1/3): its leading term alone is left as F falls.
+    // The deviation is an expansion in F^(1/3): only its leading term remains as F falls.
     EXPECT_NEAR(std::log10(deviation(1e-3) / deviation(1e-6)), 1.0, 0.02);
     EXPECT_NEAR(std::log10(deviation(1e-6) / deviation(1e-9)), 1.0, 0.002);
   }
@@ -371,7 +371,7 @@ TEST(LoadDistribution, ResidualThatDoublesKeepHighFallsInWiderNumbers) {
   for (const Interface i : kInterfaces) EXPECT_NEAR(sum(rates(c, r, i, 45e3)), 1.0, 1e-10);
 }
 
-/// Threads that pitch error keeps open leave one to carry all.
+/// Pitch error keeps other threads open, so that one carries all.
 TEST(LoadDistribution, OneThreadCarriesAllBehindLargePitchError) {
   SectorCase c = abevi();
   c.mechanism.pitch.screw = axial_pitch(c.mechanism) + 1e-4;

@@ -106,7 +106,7 @@ TEST(SizeMotion, RelubricationIsThatOfTheMakersExample) {
   EXPECT_EQ(criterion(r.candidates.front(), "relubrication").status, CriterionStatus::pass);
 }
 
-// Numbers of the definition, to the digits that it prints.
+// Numbers of the published definition, to its digits.
 TEST(Size, ExampleHasItsPublishedNumbers) {
   const SizeResult r = sized(example());
   const std::vector<double> axial{8585.3325, 8510.3325, 8435.3325, 9490.3325, 2395.3325, 2470.3325, 2545.3325};
@@ -155,7 +155,7 @@ void expect_numbers_of_the_list(const std::string& text) {
   const SizedCandidate& c = named(r, "30x10");
   const Case written = input::read_case_text(written_candidate(r.input, c), "screw.yaml", {}, Command::slip);
   const Result slip = analyze_slip(written, kManyDesigns);
-  ASSERT_EQ(slip.load_cases.size(), 7);  // Six that move, and that which the load drives.
+  ASSERT_EQ(slip.load_cases.size(), 7);  // Six that move, and the back-driven one.
   constexpr double kSame = 1e-9;
   std::size_t place = 0;
   for (const SizedSegment& s : c.segments)
@@ -184,7 +184,7 @@ TEST(Size, WrittenCaseOfARunningScrewDoesToo) {
   expect_numbers_of_the_list(text.replace(text.find("static"), 6, "running"));
 }
 
-/// A word, blocks of a law, heads that need no film.
+/// Friction as a word, as blocks of a law, and heads that need no film.
 TEST(Size, WrittenCaseHasTheFrictionOfItsRequirement) {
   for (const auto& [text, law] : {std::pair{"friction: {model: jacod}\n", contact::kind_of<contact::Jacod>},
                                   std::pair{"friction: {coulomb: 0.05}\n", contact::kind_of<contact::Coulomb>},
@@ -219,11 +219,11 @@ TEST(Size, CandidatesWithoutTheObjectiveComeLast) {
   EXPECT_TRUE(r.candidates[0].motor_rms_torque);
   EXPECT_EQ(r.candidates[0].name, "30x10");
   EXPECT_FALSE(r.candidates[1].motor_rms_torque);
-  EXPECT_EQ(r.candidates[1].name, "24x6");  // By the nut's diameter.
+  EXPECT_EQ(r.candidates[1].name, "24x6");  // Chosen by the nut's diameter.
   EXPECT_EQ(r.candidates[2].name, "39x10");
 }
 
-/// As German makers print and spreadsheets write them.
+/// A catalogue as German makers print and spreadsheets write it.
 TEST(Size, ReadsAMakersCatalogueWithDecimalCommas) {
   const auto first = [](const char* csv, std::vector<Warning>& warnings) {
     SizeInput in = read(
@@ -246,7 +246,7 @@ TEST(Size, ReadsAMakersCatalogueWithDecimalCommas) {
   EXPECT_EQ(of_capacities.back().code, "static_below_dynamic_capacity");
 }
 
-/// A speed that is rounding of zero makes no segment of its own.
+/// A speed that is rounding of zero makes no separate segment.
 TEST(Size, RoundingInAHistoryIsNoMotion) {
   const auto segments = [](const char* middle) {
     input::Source source = input::source_of_text(
@@ -474,7 +474,7 @@ SizeResult sized_with(std::string_view text, const char* csv) {
   return size_screws(read_requirement(source));
 }
 
-// The same screw as a row and as a design.
+// Same screw as a row and as a design.
 TEST(SizeBasis, OneScrewHasOneSetOfNumbers) {
   const std::string both = std::string(kPressing) +
                            "candidates: {catalogue: {file: own.csv}, designs: {screw_diameter: 30 mm, lead: 10 mm, "
@@ -493,7 +493,7 @@ TEST(SizeBasis, OneScrewHasOneSetOfNumbers) {
   EXPECT_EQ(a.life.hours.value(), b.life.hours.value());
 }
 
-// L = 10^6 (C_a/F_m)^3 and C_0/F_max for all, with the capacities that each has.
+// L = 10^6 (C_a/F_m)^3 and C_0/F_max for all, with the capacities of each.
 TEST(SizeBasis, CatalogueFormulasHoldForScrewsWithoutPrintedCapacities) {
   const SizeResult r =
       sized_with(std::string(kPressing) + "candidates: {catalogue: {file: own.csv}}\n",
@@ -537,7 +537,7 @@ TEST(Size, TemperaturesAreNotKnownWithoutHeat) {
   }
 }
 
-// By threads the parts stand at the temperatures that are printed: what they lose there keeps them there.
+// For basis `threads` the parts are at the printed temperatures, which their losses there maintain.
 TEST(Size, LifeByThreadsIsThatOfPartsAtTheirTemperatures) {
   std::string text = example();
   text.replace(text.find("life: {hours: 20000 h}"), 22, "life: {hours: 20000 h, basis: threads}");

@@ -106,7 +106,7 @@ TEST(BothFlanks, RunningLoadsAreThoseAtRestWithoutFriction) {
   EXPECT_LT(before, 1.0);
 }
 
-/// Far above the opening load the other flank is off, and the screw is one without preload.
+/// Far above the opening load the other flank is open, and the screw is one without preload.
 TEST(BothFlanks, OpenFlankLeavesTheScrewWithoutPreload) {
   json input = preloaded_screw();
   input["load_cases"][0]["axial_force"] = "40 kN";
@@ -152,8 +152,7 @@ json with_heat(json input) {
   return input;
 }
 
-/// Preload at the temperatures of a load case is that of the parts at the temperatures which `heat`
-/// gives.
+/// Preload at the temperatures of a load case is that of the parts at the temperatures from `heat`.
 TEST(WarmParts, PreloadHasTheTemperaturesOfItsLoadCase) {
   json input = with_heat(preloaded_screw());
   const PreloadResult warm = analyze_warm_preload(read(input, Command::preload));
@@ -177,8 +176,7 @@ json with_life(json input) {
   return input;
 }
 
-/// One load all the time: the temperatures of its load case. Two loads: those at which the mean
-/// heat of both flows off.
+/// One load all the time: the temperatures of its load case. Two loads: those from the mean heat of both.
 TEST(WarmParts, LifeHasTheTemperaturesOfTheMeanHeat) {
   json input = with_life(with_heat(preloaded_screw()));
   input["load_cases"][0]["axial_force"] = "5 kN";

@@ -43,7 +43,7 @@ LoadCaseResult solved(const Case& c) { return analyze_slip(c).load_cases.at(0); 
 
 double largest(const std::vector<double>& values) { return std::ranges::max(values); }
 
-/// Within a share of the largest expected entry, or of `scale`.
+/// Checks values within a share of the largest expected entry, or of `scale`.
 void expect_near(const std::vector<double>& values, const json& expected, double share, const char* what,
                  double scale = 0.0, double unit = 1.0) {
   std::vector<double> numbers;
@@ -141,7 +141,7 @@ TEST(RunningLoads, TendToThoseAtRestInProportionToFriction) {
   EXPECT_NEAR(growth(2e-4) / growth(1e-4), 2.0, 1e-3);
 }
 
-/// Forces along and across the axis, power and torques, all of the same state.
+/// Checks axial and lateral forces, power and torques, all of the same state.
 void expect_balance(const LoadCaseResult& r, int rollers) {
   ASSERT_TRUE(r.running && r.running->converged() && r.slip);
   const double force = r.load_case.axial_force / rollers;
@@ -176,7 +176,7 @@ TEST(RunningLoads, AreInBalance) {
   expect_balance(solved(running(solved_case("lesson-inverted-heads")["input"])), 11);
 }
 
-/// Three threads, whose bodies are meshed once for all that is asked of them here.
+/// Three threads, whose bodies are meshed once for all checks here.
 TEST(RunningLoads, OfMeshedBodiesAreThoseOfAnyOther) {
   SKIP_UNDER_SANITIZERS();
   json input = base();
@@ -259,8 +259,7 @@ TEST(RunningLoads, GrowWhereTheScrewDrivesAndShrinkWhereTheLoadDoes) {
   EXPECT_NEAR(guide(driven, 1), 500.0, 0.5);
 }
 
-/// A slip that stands on the loads at rest, and heads under guides that hold a couple without
-/// friction.
+/// Slip from the loads at rest, and heads under guides that hold a couple without friction.
 TEST(RunningLoads, StaticOnesStayOnRequest) {
   Case c = running(base());
   c.model.loads = ModelOptions::Loads::at_rest;
@@ -279,8 +278,8 @@ TEST(RunningLoads, StaticOnesStayOnRequest) {
   EXPECT_GT(r.slip->heads[0][1].guide_force, 300.0);
 }
 
-/// Friction takes all of a contact's axial force where the screw drives. Where the load does, it
-/// adds to it: loads in balance exist, although their fixed point does not contract.
+/// Friction takes all of a contact's axial force if the screw drives. If the load does, friction adds to it: loads in
+/// balance exist, although their fixed-point iteration does not contract.
 TEST(RunningLoads, FrictionJamsTheScrewThatDrivesAlone) {
   json full = solved_case("lesson-full")["input"];
   full["load_cases"][0]["speed"] = "400 rpm";
@@ -298,7 +297,7 @@ TEST(RunningLoads, FrictionJamsTheScrewThatDrivesAlone) {
     }
 }
 
-/// Steep flanks turn a small change of friction into a large one of the loads.
+/// Steep flanks amplify a small change of friction to a large one of the loads.
 TEST(RunningLoads, AreFoundShortOfTheJam) {
   json input = base();
   input["mechanism"]["flank_angle"] = "58 deg";
@@ -309,7 +308,7 @@ TEST(RunningLoads, AreFoundShortOfTheJam) {
   }
 }
 
-/// Fast and hardly loaded.
+/// High speed and low load.
 TEST(RunningLoads, RollersThatLeaveTheScrewAreTold) {
   const auto told = [](const std::string& speed) {
     const Case c =

@@ -32,7 +32,7 @@ void expect_relative(double value, plain::Real expected, double tolerance, const
   EXPECT_NEAR(value, static_cast<double>(expected), tolerance * std::abs(static_cast<double>(expected))) << what;
 }
 
-/// Everything that the plain calculation has, thread by thread.
+/// Compares all results of the plain calculation, thread by thread.
 void expect_as_plain(const Case& c, const Result& result, double tolerance) {
   const SlipResult& s = *result.load_cases[0].slip;
   plain::Case p = test::plain_case(c, result);
@@ -48,7 +48,7 @@ void expect_as_plain(const Case& c, const Result& result, double tolerance) {
   expect_relative(s.power_loss_input_output, t.power_loss_input_output, tolerance, "in - out");
   expect_relative(s.torque_screw, t.torque_screw, tolerance, "torque, screw");
   expect_relative(s.torque_nut, t.torque_nut, tolerance, "torque, nut");
-  // (3.52) is output over input where the screw drives, its inverse where the load does.
+  // (3.52) is output over input if the screw drives, its inverse if the load does.
   const bool load_drives = p.force_on_nut * p.speed * p.lead < 0;
   if (s.efficiency)
     expect_relative(*s.efficiency, load_drives ? 1 / t.efficiency : t.efficiency, tolerance, "efficiency");
@@ -104,7 +104,7 @@ TEST(Slip, ReferenceExampleOfSandu) {
   EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-12);
   EXPECT_GT(s.torque_screw, 35e3 * 10e-3 / (2 * std::numbers::pi));  // above the static one (3.18)
   EXPECT_NEAR(*s.efficiency_fit, *s.efficiency, 0.005);              // (3.55)
-  // The full fit, computed apart from this program.
+  // Full fit, computed independently.
   EXPECT_NEAR(s.threads.screw.central_film[0], 372.2e-9, 0.05e-9);
   EXPECT_NEAR(s.threads.nut.central_film[0], 406.2e-9, 0.05e-9);
 }
@@ -124,7 +124,7 @@ TEST(Slip, FrictionOfFigures28And29) {
   EXPECT_NEAR(slip_of(c).threads.screw.max_sliding_speed[0], 0.107, 0.0005);
 }
 
-/// With the slip ratio imposed the roller is out of balance, and the two power methods part.
+/// With the slip ratio imposed the roller is out of balance, and the two power methods differ.
 TEST(Slip, PowerMethodsPartWhereTheSlipRatioIsImposed) {
   Case c = test::sandu_reference();
   c.operation->slip_ratio = 0.3730;
@@ -153,7 +153,7 @@ TEST_P(SlipVariants, BothPowersAndBothTorquesAgree) {
   EXPECT_LE(s.evaluations, 8);
 }
 
-/// The reference with 4 of its 28 threads at their loads: as good for the plain calculation.
+/// The reference with 4 of its 28 threads at their loads: sufficient for the plain calculation.
 Case few_threads() {
   Case c = test::sandu_reference();
   c.mechanism.contacts_per_roller = 4;
@@ -284,7 +284,7 @@ Case along_rolling(Case c) {
   return c;
 }
 
-/// Film, film over roughness, share of touching flanks and mixed friction alike.
+/// Film, film over roughness, share of touching flanks and mixed friction agree.
 TEST(CentralFilm, AlongTheRollingIsThatOfThePlainCalculation) {
   for (Case c : {few_threads(), test::inverted(few_threads())}) {
     c = along_rolling(test::with_mixed_friction(c, 0.11, 2.0));
@@ -310,7 +310,7 @@ TEST(CentralFilm, WarnsWhereItIsThatOfAnotherDirection) {
   EXPECT_THAT(warnings(test::with_coulomb(c, 0.1)), note);  // Films are shown there too.
 }
 
-/// A bare nut of some cm passes some tenths of a watt per kelvin on to still air.
+/// A bare nut of some cm passes some tenths of a watt per kelvin to still air.
 TEST(Slip, WarnsOfHeatThatNothingTakes) {
   const auto note = ::testing::Contains(HasSubstr("heat: missing"));
   Case c = test::sandu_reference();
@@ -323,8 +323,8 @@ TEST(Slip, WarnsOfHeatThatNothingTakes) {
   EXPECT_THAT(sentences(analyze_slip(c).load_cases[0].warnings), ::testing::Not(note));
 }
 
-/// A roller's mass goes round with the carrier against the frame, in which the screw of an inverted
-/// mechanism does not turn.
+/// A roller's mass orbits with the carrier against the frame, in which the screw of an inverted mechanism does not
+/// turn.
 TEST(Slip, CentrifugalForceIsThatOfTheOrbitAgainstTheFrame) {
   for (Case c : {few_threads(), test::inverted(few_threads())}) {
     c.materials->roller.density = 7810.0;
@@ -347,7 +347,7 @@ TEST(MixedFriction, WarnsOfNoThinFilm) {
   EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
 }
 
-/// Where friction is Coulomb's, power is mu times the pressure and speed that wear.
+/// With Coulomb friction, power is mu times the pressure and speed that cause wear.
 TEST(Wear, IsArchardsVolumeByCoulombsPower) {
   for (Case c : {few_threads(), test::inverted(few_threads())}) {
     c = test::with_coulomb(c, 0.08);
@@ -357,7 +357,7 @@ TEST(Wear, IsArchardsVolumeByCoulombsPower) {
     const double advance = c.mechanism.lead * s.speed / (2 * std::numbers::pi);
     for (const Interface i : kInterfaces)
       EXPECT_NEAR(s.threads[i].wear[0] / (1e-17 * s.threads[i].power[0] / 0.08 / advance), 1.0, 1e-12);
-    c.operation->speed *= 3.0;  // the same way for each metre
+    c.operation->speed *= 3.0;  // the same wear per metre
     EXPECT_NEAR(slip_of(c).threads.nut.wear[0] / s.threads.nut.wear[0], 1.0, 1e-9);
   }
 }
@@ -379,7 +379,7 @@ TEST(Slip, TheMirrorImageLosesAsMuch) {
   EXPECT_NEAR(b.torque_screw / a.torque_screw, -1.0, 1e-12);
 }
 
-/// The load drives, and gets less out.
+/// The load drives, and the output is smaller.
 TEST(Slip, ALoadThatDrivesTheScrewPaysForTheFriction) {
   const Case c = test::left_handed(test::sandu_reference());
   const SlipResult s = slip_of(c);
@@ -394,7 +394,7 @@ TEST(Slip, ALoadThatDrivesTheScrewPaysForTheFriction) {
   EXPECT_NEAR(*s.holding_torque * s.speed, -shaft, 1e-12 * shaft);  // a brake
 }
 
-/// A plane through the axis mirrors hand and rotation, and leaves the force.
+/// A plane through the axis mirrors hand and rotation, and keeps the force.
 TEST(Slip, DrivenByItsLoadAScrewIsItsMirrorImage) {
   std::mt19937_64 random(21);
   int compared = 0;
@@ -446,8 +446,7 @@ TEST(Slip, WithoutFrictionTheIdealSlipRatioAndFullEfficiencyRemain) {
   EXPECT_NEAR(s.torque_screw, 35e3 * 10e-3 / (2 * std::numbers::pi), 1e-10);  // (3.18)
 }
 
-/// One point for each contact has no spin: nothing brakes the rollers, as in the models that
-/// fig. 3.8 warns of.
+/// One point for each contact has no spin: nothing brakes the rollers, as in the models of which fig. 3.8 warns.
 TEST(Slip, SinglePointContactsMissTheSpin) {
   Case c = test::sandu_reference();
   c.model.patch_points = 1;
@@ -476,7 +475,7 @@ TEST(Slip, PowerConvergesWithThePatchPoints) {
   EXPECT_LT(std::abs(power(21) / fine - 1.0), 0.005);
 }
 
-/// Weights are not renormalised: a coarse grid carries more than the load, and the power with it.
+/// Weights are not normalised: a coarse grid carries more than the load, with a corresponding error of the power.
 TEST(Slip, FewestPatchPointsMissLoadAndPowerByLessThanTwoPercent) {
   SKIP_UNDER_SANITIZERS();
   const auto excess = [](int points) {
@@ -556,7 +555,7 @@ TEST(Slip, ADrivenCarrierPassesTheIdealSlipRatio) {
   expect_as_plain(c, result, 1e-10);
 }
 
-/// As in experiment 11 of Sandu 2018, section 2.2.3: slightly above the ideal one.
+/// Slightly above the ideal slip ratio, as in experiment 11 of Sandu 2018, section 2.2.3.
 TEST(Slip, AnImposedSlipRatioMayPassTheIdealOne) {
   for (const auto& [type, slip_ratio] :
        {std::pair{Mechanism::Type::standard, 0.3742}, {Mechanism::Type::inverted, 0.4155}}) {
@@ -573,7 +572,7 @@ TEST(Slip, AnImposedSlipRatioMayPassTheIdealOne) {
   }
 }
 
-/// The mechanism of a design with all its radii, to be measured.
+/// The mechanism of a design with all its radii, as if measured.
 Case measured(Case c) {
   c.mechanism = find_contacts(c.mechanism, c.materials).mechanism;
   c.mechanism.geometry = Mechanism::Geometry::simulation;
@@ -599,7 +598,8 @@ TEST(Slip, DiametersOffTheRatioOfTheGearsSlide) {
     const double turns = standard ? s.slip_ratio : 1.0 - s.slip_ratio;
     EXPECT_NEAR(s.pitch_sliding_per_turn, turns * std::numbers::pi * 5.0 * thicker, 1e-14);
     const auto warned = ::testing::Contains(HasSubstr("pitch cylinders of rollers"));
-    EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Not(warned));  // As fine as diameters are stated.
+    // Within the digits of stated diameters.
+    EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Not(warned));
     *c.mechanism.pitch_diameter.roller += 4.0 * thicker;
     EXPECT_THAT(sentences(analyze_slip(c).load_cases[0].warnings), warned);
     expect_as_plain(c, analyze_slip(c), 1e-10);
@@ -644,7 +644,7 @@ TEST(Slip, ThreadsThatLeaveTheirGroovesAreAnError) {
   }
 }
 
-/// Friction of each interface is its own: mu of the screw acts there, that of the nut there.
+/// Each interface has its own friction: mu of the screw acts there, that of the nut there.
 TEST(Slip, InterfacesHaveCoefficientsOfTheirOwn) {
   Case c = test::with_coulomb(few_threads(), 0.1);
   c.friction->coefficient = {0.12, 0.08};
@@ -655,8 +655,8 @@ TEST(Slip, InterfacesHaveCoefficientsOfTheirOwn) {
   expect_as_plain(c, result, 1e-10);
 }
 
-/// Without friction F l/(2 pi) holds, the same in both senses; friction opens a range about it whose ends are
-/// the torques of a slow motion in either sense.
+/// Without friction F l/(2 pi) is needed, the same in both senses; friction opens a range about it whose ends are the
+/// torques of a slow motion in either sense.
 TEST(Slip, AScrewAtRestIsHeldBetweenTheTorquesOfBothSenses) {
   for (const bool standard : {true, false})
     for (const double mu : {0.0, 0.02, 0.2}) {
@@ -686,7 +686,7 @@ TEST(Slip, AScrewAtRestIsHeldBetweenTheTorquesOfBothSenses) {
     }
 }
 
-/// At rest no film is left: flanks that touch have the coefficient without film.
+/// At rest there is no film: touching flanks have the coefficient without film.
 TEST(Slip, AtRestMixedFrictionIsThatOfTouchingFlanks) {
   Case c = few_threads();
   c.operation->speed = 0.0;
@@ -726,7 +726,7 @@ TEST(Slip, CoulombFrictionHasTheFilmOfItsLubricant) {
     EXPECT_EQ(coulomb.threads[i].film_ratio, jacod.threads[i].film_ratio);
   }
   const auto advice = ::testing::Contains(HasSubstr("take a friction coefficient of surfaces that touch"));
-  EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Not(advice));  // 0.1 is one.
+  EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Not(advice));  // The default, 0.1, is one.
   EXPECT_THAT(sentences(analyze_slip(test::with_coulomb(c, 0.02)).load_cases[0].warnings), advice);
   c.lubricant.reset();
   const SlipResult dry = slip_of(c);
@@ -745,7 +745,7 @@ TEST(Slip, FullFitLiesBetweenHamrockDowsonAndSandu) {
     const InterfaceContact& contact = result.contacts.interfaces[i];
     const contact::PrincipalValues rho = contact.geometry.relative;
     const double modulus = 2.0 * contact.contact_modulus;
-    // From Sandu's film back to the speed, which the result does not state.
+    // Speed from Sandu's film, as the result does not state it.
     const double load = result.load_cases[0].threads.value()[i].normal_load[0];
     const auto film = [&](double speed) {
       return contact::sandu_film(oil, {load, rho.second, contact.contact_modulus}, speed).thickness;
@@ -767,7 +767,7 @@ TEST(Slip, FullFitLiesBetweenHamrockDowsonAndSandu) {
   }
 }
 
-/// A bearing on the roller heads takes part in the balance: both powers still agree.
+/// A bearing on the roller heads enters the balance: both powers still agree.
 TEST(Slip, AJournalBearingKeepsTheEnergyBalance) {
   Case c = test::sandu_reference();
   c.carrier.bearing = HeadBearing{{6e-3, 6e-3, 0.1e-3}};
@@ -945,7 +945,7 @@ TEST(SlipPictures, ShowTheRootAndTheResultsFields) {
   }
 }
 
-/// Sandu's reference with an oil that warms at the inlet.
+/// Sandu's reference with an oil that is heated at the inlet.
 Case with_inlet_heating(Case c) {
   c.lubricant->film.inlet_heating = Lubricant::Film::InletHeating{0.14, 0.04};
   return c;

@@ -91,8 +91,8 @@ TEST(StudyStatistics, NothingWithoutDesigns) {
   EXPECT_EQ(s.surfaces->reason, "0 designs with all responses do not determine 3 coefficients");
 }
 
-// Of 200,000 values 0, 1, .. a third is kept. The share of kept values below a quantile scatters by
-// sqrt(p (1 - p) / 65,536) <= 0.002.
+// A third of 200,000 values 0, 1, .. is kept. The share of kept values below a quantile scatters by sqrt(p (1 - p) /
+// 65,536) <= 0.002.
 TEST(StudyStatistics, QuantilesOfManyDesignsComeFromPartOfThem) {
   SKIP_UNDER_SANITIZERS();
   constexpr std::size_t kDesigns = 200'000;
@@ -117,7 +117,7 @@ std::size_t failures(std::size_t first, std::size_t count) {
   return found;
 }
 
-/// Responses of all designs of a study, some of which fail.
+/// Results of all designs of a study, some of which fail.
 RowBlock answers(const Study& study, std::size_t first, std::size_t count) {
   RowBlock rows{first, count, {}, {}};
   for (std::size_t k = first; k < first + count; ++k) {
@@ -188,7 +188,7 @@ TEST(StudyAnalysis, TakesInputsThatAreDrawnAlready) {
   expect_same(analysis.summary(), in_blocks_of(study, designs));
 }
 
-// y = 1 + 3 a - b over [1, 3]: 5 + 3 x_a - x_b on the factors' axes, whatever fails.
+// y = 1 + 3 a - b over [1, 3]: 5 + 3 x_a - x_b on the factors' axes, whichever designs fail.
 TEST(StudyAnalysis, FindsTheLinearResponseOfAStudy) {
   for (const Plan plan : {Plan::latin_hypercube, Plan::sobol, Plan::monte_carlo}) {
     const Study study = sampled(plan, 500, {"y", "z"});
@@ -206,8 +206,8 @@ TEST(StudyAnalysis, FindsTheLinearResponseOfAStudy) {
   }
 }
 
-// First and total indices of a sum are its parts of the variance, 9/10 and 1/10. A design that
-// fails takes the sample of four that it belongs to with it.
+// First and total indices of a sum are its parts of the variance, 9/10 and 1/10. A failed design invalidates its sample
+// of four.
 TEST(StudyAnalysis, IndicesOfVarianceComeFromWholeSamples) {
   const Study study = sampled(Plan::sobol_indices, 4096, {"y", "z"});
   const StudySummary s = in_blocks_of(study, 1000);

@@ -44,8 +44,8 @@ double elasticity(const CaseDerivatives& d, std::size_t factor, std::size_t resp
   return d.factors.at(factor).responses.at(response).value().elasticity.value();
 }
 
-// Loads, moduli and Hertz constants scaled together leave every displacement as it is; all lengths
-// scaled, with k_0 as the square root of a length and loads as its square, scale the displacement.
+// Loads, moduli and Hertz constants scaled together leave every displacement unchanged; all lengths scaled, with k_0 as
+// the square root of a length and loads as its square, scale the displacement.
 TEST(Derivatives, ObeyEuler) {
   for (const char* bodies : {"bars", "refined"}) {
     const CaseDerivatives d = derivatives_of(
@@ -68,7 +68,7 @@ TEST(Derivatives, OfTheLoadIsTheTangentStiffness) {
   EXPECT_LT(u.error, 1e-8 * u.value);
 }
 
-/// By the stiffness of the screw's end, also of a moment that the file has as 0.
+/// From the stiffness of the screw's end, also for a moment that is 0 in the file.
 TEST(Derivatives, OfAllRollersAreTheComplianceOfTheScrewsEnd) {
   SKIP_UNDER_SANITIZERS();
   const std::string text = input::abevi_with("{name: pull,", "{name: pull, moment: {y: 0 N m, z: 0 N m},") +

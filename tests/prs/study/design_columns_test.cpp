@@ -21,7 +21,7 @@
 #include "tests/prs/input/abevi.h"
 #include "tests/prs/study/memory_of_designs.h"
 
-// Designs side by side against the same designs one after the other.
+// Designs side by side, compared with the same designs one after the other.
 namespace prs {
 namespace {
 
@@ -109,10 +109,10 @@ class RandomStudies {
         "materials.youngs_modulus, within: 3 %}}, {{path: 'load_cases[0].axial_force', "
         "log_uniform: {{from: 0.1 kN, to: 60 kN}}}}], responses: [",
         kDesigns - 1, kind, designed ? "screw" : "roller", designed ? 3.0 : 0.3);
-    // Without responses of the contact: fewer of its numbers are needed.
+    // Without responses of the contact fewer of its numbers are needed.
     const std::size_t count = std::size(kResponses) - (kind % 2 == 0 ? 4 : 0);
     for (std::size_t k = 0; k < count; ++k) {
-      // Without it, no stiffness at the load is computed.
+      // Without this response no stiffness at the load is computed.
       if (kind % 3 == 0 && kResponses[k] == std::string_view("tangent_stiffness_N_per_um")) continue;
       text += fmt::format("{}'{}'", k == 0 ? "" : ", ", kResponses[k]);
     }
@@ -131,7 +131,7 @@ class RandomStudies {
   int next_ = 0;
 };
 
-/// Answers of the scalar chain to one design.
+/// Results of the scalar chain for one design.
 struct Expected {
   DesignStatus status;
   std::vector<double> row;
@@ -160,7 +160,7 @@ TEST(DesignColumns, GiveTheRowsOfTheScalarChain) {
   RandomStudies studies(11);
   double worst = 0.0;
   std::size_t converged = 0, refused = 0;
-  std::set<std::vector<bool>> kinds;  // that have a contact
+  std::set<std::vector<bool>> kinds;  // designs with a contact
   const int count = test::samples(96, 100'000 / kDesigns);
   for (int s = 0; s < count; ++s) {
     const std::string text = studies.next();

@@ -25,7 +25,7 @@
 #include "support/random_screws.h"
 #include "support/sanitized.h"
 
-// Random screws through the engine of studies: what mechanics says of every one of them.
+// Random screws through the engine of studies, checked by laws of mechanics.
 namespace prs {
 namespace {
 
@@ -70,7 +70,7 @@ struct Evaluated {
   RowBlock block;
 };
 
-/// How designs ended, by what the program says without its numbers.
+/// Outcomes of designs, as the program's messages without their numbers.
 class Verdicts {
  public:
   void add(const RowBlock& block) {
@@ -93,7 +93,7 @@ class Verdicts {
   std::map<std::string, std::size_t> failed_;
 };
 
-/// Largest of some differences, with what they must not exceed.
+/// Largest of some differences, and its limit.
 struct Worst {
   const char* what;
   double bound;
@@ -106,7 +106,7 @@ struct Worst {
   }
 };
 
-/// 0 also where neither has an answer.
+/// 0 also if neither has a result.
 double relative(double a, double b) { return std::isnan(a) && std::isnan(b) ? 0.0 : std::abs(a / b - 1.0); }
 
 struct LoadOracles {
@@ -122,9 +122,9 @@ struct LoadOracles {
       std::printf("  %-50s %.1e\n", w.what, w.value);
   }
 
-  /// What holds of a load on its own. Without gaps, forces grow with displacements at least in
-  /// proportion, and in bars are homogeneous, of degree 1 in the bodies and 3/2 in the contacts:
-  /// the stiffness at the load is 1 to 3/2 of the secant.
+  /// Checks each load by itself. Without gaps, forces grow with displacements at least in proportion, and in bars are
+  /// homogeneous, of degree 1 in the bodies and 3/2 in the contacts: the stiffness at the load is 1 to 3/2 of the
+  /// secant.
   void see(const double* numbers, const Screw& s, const std::string& text) {
     for (const LoadNumber mean : {kScrewMean, kNutMean})
       balance.take(std::abs(numbers[mean] * s.threads / 100.0 - 1.0), text);
@@ -135,7 +135,7 @@ struct LoadOracles {
     if (s.model.find("bodies: refined") == std::string::npos) tangent.take(ratio - 1.5, text);
   }
 
-  /// Equal answers, the interfaces exchanged or not.
+  /// Difference of results, with the interfaces exchanged or not.
   static double difference(const double* a, const double* b, bool exchanged = false) {
     double worst = 0.0;
     for (const LoadNumber k : {kDisplacement, kSecant, kTangent}) worst = std::max(worst, relative(a[k], b[k]));
@@ -190,7 +190,7 @@ void expect_mechanics(const char* bodies, int families, std::uint64_t seed) {
     for_each_load(designs, evaluated(swapped(s)), [&](const double* a, const double* b) {
       oracles.swap.take(LoadOracles::difference(a, b, true), text);
     });
-    // Nothing but the bending of the rollers knows the direction.
+    // Only the bending of the rollers depends on the direction.
     if (k % 12 != 1) continue;
     Screw turned = s;
     turned.exchanged = true;
@@ -266,7 +266,7 @@ TEST(DesignEngineNumbers, ExtremeScrewsConvergeOrSayWhyNot) {
     const std::string text = s.text("solve", 99, k, load_responses());
     const Evaluated designs(text);
     verdicts.add(designs.block);
-    // What it does not take, the program refuses with the key at fault; what it takes, converges.
+    // The program refuses invalid inputs with the key at fault; valid ones converge.
     static const std::regex at_fault(R"((mechanism|structure|deviations|load_cases\[.\])\.[a-z_.0-9\[\]]*: .*)");
     for (const RowBlock::Failure& failure : designs.block.failures)
       EXPECT_TRUE(failure.status.name == "refused" && std::regex_match(failure.status.reason, at_fault))
@@ -344,8 +344,8 @@ TEST(DesignEngineNumbers, RealisticBodiesOfRevolutionAllConvergeAndObeyMechanics
   EXPECT_TRUE(verdicts.all_converged());
 }
 
-/// What the motor puts in comes out at the load or is lost, at the friction of every thread: the
-/// loss from the shafts is that of the contacts.
+/// The motor's input comes out at the load or is lost, at the friction of every thread: the loss from the shafts is
+/// that of the contacts.
 TEST(DesignEngineNumbers, RealisticScrewsLoseWhatTheyAreGiven) {
   RandomScrews random(2031);
   Verdicts verdicts;
@@ -396,7 +396,7 @@ TEST(DesignEngineNumbers, RealisticScrewsLoseWhatTheyAreGiven) {
   EXPECT_TRUE(verdicts.all_converged());
 }
 
-/// The verdict and the answers of one design, by the solver of single cases.
+/// Verdict and results of one design, by the solver of single cases.
 struct Solved {
   Solved(const input::StudyInput& input, std::size_t design) {
     try {
@@ -458,7 +458,7 @@ TEST(DesignEngineNumbers, SingleCasesSayTheSame) {
   EXPECT_GT(compared, count);
 }
 
-/// Threads, shards and runs that go on take designs in other batches.
+/// Threads, shards and continued runs take designs in other batches.
 TEST(DesignEngineNumbers, ADesignHasTheSameBitsInAnyBatch) {
   RandomScrews random(2033);
   std::size_t compared = 0;
@@ -476,7 +476,7 @@ TEST(DesignEngineNumbers, ADesignHasTheSameBitsInAnyBatch) {
     const DesignEngine engine(whole.input);
     const std::size_t responses = whole.input.study.responses.size();
     for (const std::size_t batch : {1, 3, 13})
-      for (std::size_t last = whole.block.rows; last > 0;) {  // The last first.
+      for (std::size_t last = whole.block.rows; last > 0;) {  // In reverse order.
         const std::size_t first = last > batch ? last - batch : 0;
         const RowBlock part = engine.evaluate(first, last - first);
         ASSERT_EQ(std::memcmp(part.responses.data(), whole.of(first), (last - first) * responses * sizeof(double)), 0)

@@ -42,7 +42,7 @@ input::StudyInput study_of(const std::string& study, const std::string& text = i
   return input::read_study_input({"case.yaml", text + "study: " + study + "\n", {}});
 }
 
-/// Every design at once.
+/// All designs at once.
 RowBlock all(const DesignEngine& engine) { return engine.evaluate(0, design_count(engine.study())); }
 
 std::optional<std::string> reason(const RowBlock& block, std::size_t row) {
@@ -51,7 +51,7 @@ std::optional<std::string> reason(const RowBlock& block, std::size_t row) {
   return std::nullopt;
 }
 
-/// What a command says of a case, as documents and as responses read it.
+/// Results of a command on a case, as documents and as responses.
 struct Said {
   nlohmann::ordered_json document;
   std::function<std::optional<double>(const ResultNumber&)> read;
@@ -106,7 +106,7 @@ load_cases:
       "'screw.axial_load_N[3]']}",
       text);
   const RowBlock rows = all(DesignEngine(in));
-  const double expected[] = {22e3, 44e3, 500.0, 33e3, 44e3, 750.0};  // As in the file, with 33 kN.
+  const double expected[] = {22e3, 44e3, 500.0, 33e3, 44e3, 750.0};  // Values as in the file, with 33 kN.
   ASSERT_EQ(rows.responses.size(), std::size(expected));
   EXPECT_TRUE(rows.failures.empty());
   for (std::size_t k = 0; k < std::size(expected); ++k) EXPECT_NEAR(rows.responses[k], expected[k], 1e-9 * expected[k]);
@@ -132,18 +132,18 @@ TEST(DesignEngine, StopsBetweenSlowDesignsAndKeepsThoseBefore) {
   }
 }
 
-/// Every number of what a lesson says to a command, those of further load cases, and summaries.
+/// Every number of a lesson's result for a command, those of further load cases, and summaries.
 TEST(ResultNumber, SaysWhatTheDocumentSaysToEveryCommand) {
   const std::pair<const char*, Command> lessons[] = {
       {"07_contact_geometry", Command::contact}, {"03_load_sweep", Command::solve},
       {"14_flight_spectrum", Command::life},     {"18_design_measures", Command::measures},
       {"23_crowning", Command::measures},        {"26_unequal_rollers", Command::solve},
       {"28_driving_load", Command::slip},        {"30_duty_cycle", Command::slip}};
-  // About the solution, not the design.
+  // Numbers about the solution, not the design.
   const std::set<std::string> left{"iterations",       "relative_residual", "slip.evaluations", "slip.relative_residue",
                                    "heat.evaluations", "running.rounds",    "running.change"};
   std::size_t compared = 0;
-  // Sanitizers: contacts, measures, slip.
+  // Under sanitizers: contacts, measures, slip.
   for (std::size_t l = 0; l < std::size(lessons); l += test::sanitized() ? 3 : 1) {
     const auto& [lesson, command] = lessons[l];
     const input::Source source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson + ".yaml", {});
@@ -235,7 +235,7 @@ TEST(DesignEngine, DesignGivesWhatTheCommandGives) {
   }
 }
 
-/// Where the chain has too few digits the study solves as the command does.
+/// If the chain has too few digits the study solves as the command does.
 TEST(DesignEngine, DeliversWhateverTheCommandSolves) {
   const std::string factors[] = {"structure.roller.guidance={ring: 1e-3 N/m}", "structure.screw.free_length=1e-12 mm"};
   for (const std::string& factor : factors) {
@@ -266,7 +266,7 @@ TEST(DesignEngine, DocumentAndTablesGiveTheSame) {
     for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(a.responses[2 * row + k] / b.responses[3 * row + k], 1.0, 1e-10);
 }
 
-/// Of other load cases than the first, of what lies below the surface, and of lives.
+/// Responses of other load cases than the first, of stresses below the surface, and of lives.
 TEST(DesignEngine, GivesWhatTheCommandGivesWhateverTheResponse) {
   const std::string measures = "measures: {friction_coefficient: 0.01}\n",
                     life =
@@ -325,7 +325,7 @@ TEST(DesignEngine, GivesWhatTheCommandGivesWhateverTheResponse) {
             << a.responses[k] << " of row " << row;
       }
     }
-    EXPECT_EQ(answered, block.rows - 1) << a.name;  // All but the sixty rollers.
+    EXPECT_EQ(answered, block.rows - 1) << a.name;  // All except the sixty rollers.
   }
 }
 
@@ -375,7 +375,7 @@ TEST(DesignEngine, DesignsByTheirDrawsGiveWhatTheyGiveByIndex) {
         0);
     for (std::size_t row = 0; row < by_index.rows; ++row) EXPECT_EQ(reason(by_draws, row), reason(by_index, row));
 
-    // A design that no plan drew, against the program's own reading of its texts.
+    // A design that no plan drew, compared with the program's own reading of its texts.
     const std::vector<Draw> own{{.kind = Draw::Kind::number, .number = 44.25}, {.kind = Draw::Kind::level, .level = 1}};
     const Case c = input::read_case_text(input::kAbevi, "case.yaml", overrides(engine.study(), own), Command::solve);
     EXPECT_EQ(c.mechanism.rollers, 10);
@@ -403,7 +403,7 @@ TEST(DesignEngine, UnknownResponseNamesTheNearest) {
   }
 }
 
-/// Lesson 33 with its first design alone.
+/// Lesson 33 with its first design only.
 input::Source tolerances_of(const std::string& responses) {
   return input::load_source(
       PRS_SOURCE_DIR "/configs/33_tolerances.yaml",
@@ -447,7 +447,7 @@ TEST(DesignEngine, TheComplianceOfTheScrewsEndIsThatOfTheDocument) {
               1.0, 1e-9);
 }
 
-/// The lesson, on what the thesis says of it.
+/// The lesson, compared with the thesis.
 class ParametricStudy : public testing::Test {
  protected:
   ParametricStudy()
@@ -491,12 +491,12 @@ TEST_F(ParametricStudy, ReproducesSandu) {
   EXPECT_GT(spread("lubricant.viscosity"), 0.15);
   EXPECT_GT(spread("lubricant.eyring_stress"), 0.25);
 
-  // Power grows with the speed in proportion, within what the film changes.
+  // Power is proportional to the speed, within the effect of the film.
   for (const std::size_t row : rows("operation.speed")) {
     const double speed = *design(engine_.study(), row).settings[0].level.number / 400.0;
     EXPECT_NEAR(at(row, "slip.power_loss_W") / speed / at(0, "slip.power_loss_W"), 1.0, 0.03);
   }
-  // The fit (3.55) lies near.
+  // The fit (3.55) is close.
   for (const std::size_t row : rows("lubricant.viscosity"))
     EXPECT_NEAR(at(row, "slip.efficiency_fit"), at(row, "slip.efficiency"), 0.006);
 }

@@ -25,7 +25,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Every value of a case next to its key, to the last bit.
+/// Every value of a case with its key, compared bit by bit.
 struct Values {
   std::vector<std::string> all;
 
@@ -81,7 +81,7 @@ std::vector<std::string> values_of(const Case& c) {
   return values.all;
 }
 
-/// What reading a design gives: its values, or the error.
+/// Result of reading a design: its values, or the error.
 template <class Read>
 std::vector<std::string> outcome(const Read& read) {
   try {
@@ -91,7 +91,7 @@ std::vector<std::string> outcome(const Read& read) {
   }
 }
 
-/// How many of the designs are read as they are from their texts; the first one that is not fails.
+/// Number of designs that are read like their texts; fails at the first one that is not.
 int refused_of(const StudyInput& input, std::size_t designs) {
   int refused = 0;
   DesignReader reader(input), by_draws(input);
@@ -153,7 +153,7 @@ std::string study_of(Command command, const std::string& plan, const std::vector
   return study;
 }
 
-/// Study over all numbers of a lesson; those that `way` does not suit are left out.
+/// Study over all numbers of a lesson, except those that `way` does not suit.
 StudyInput all_numbers(const Lesson& l, const std::string& plan, const std::string& way) {
   std::vector<std::string> paths;
   for (const std::string& path : numeric_paths(l.name, l.command)) {
@@ -167,7 +167,7 @@ StudyInput all_numbers(const Lesson& l, const std::string& plan, const std::stri
   return read_study_input(lesson(l.name, study_of(l.command, plan, paths, way)));
 }
 
-/// Sanitizers see every third: what they have in common is read alike.
+/// Every third lesson under sanitizers: common parts are read alike.
 std::vector<Lesson> some_lessons() {
   std::vector<Lesson> lessons;
   for (std::size_t k = 0; k < std::size(kLessons); k += test::sanitized() ? 3 : 1) lessons.push_back(kLessons[k]);
@@ -182,7 +182,7 @@ TEST(DesignReader, ReadsEveryNumberAsItsText) {
   }
 }
 
-// 30 % leads out of bounds and to contradictions, one and several at once.
+// 30 % leads to values out of bounds and to contradictions, one and several at once.
 TEST(DesignReader, RefusesAsTheTextIsRefused) {
   const auto designs = static_cast<std::size_t>(test::samples(40, 1000));
   const std::vector<Lesson> lessons = some_lessons();
@@ -192,7 +192,7 @@ TEST(DesignReader, RefusesAsTheTextIsRefused) {
   EXPECT_GT(3 * refused, static_cast<int>(designs * lessons.size()));
 }
 
-// Load cases that agree in all but name and force are checked once, those that vary each.
+// Load cases that agree in all except name and force are checked once, those that vary each.
 TEST(DesignReader, LoadCasesAreRefusedWhetherTheyVaryOrNot) {
   for (const char* lesson_name : {"03_load_sweep", "04_contacts_from_geometry"}) {
     const StudyInput in =
@@ -233,7 +233,7 @@ TEST(DesignReader, DrawsOutOfBoundsAreRefused) {
     - {path: structure.screw.bore, normal: {mean: 1 mm, deviation: 1 mm}}
     - {path: materials.poisson_ratio, normal: {deviation: 0.2}}
 )";
-  // P(bore < 0) = 0.16, P(ratio < 0 or > 0.5) = 0.23: 140 of 400 give or take 3 deviations.
+  // P(bore < 0) = 0.16, P(ratio < 0 or > 0.5) = 0.23: 140 of 400 within 3 deviations.
   const int refused = refused_of(real_parts("plan: monte_carlo\n  samples: 400", factors), 401);
   EXPECT_NEAR(refused, 140, 29);
 }

@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A study whose factors have so many levels, or are drawn between 1 and 3 where it is 0.
+/// A study whose factors have these numbers of levels, or are drawn between 1 and 3 where it is 0.
 Study factor_study(Plan plan, const std::vector<std::size_t>& levels, std::size_t samples = 0) {
   Study study;
   study.plan = plan;
@@ -51,7 +51,7 @@ std::vector<std::size_t> idle_of(const Study& study, const Respond& respond) {
 const Respond kFirstAndLast = [](const std::vector<double>& x) { return std::vector{x.front() * x.back(), 7.0}; };
 
 TEST(IdleFactors, OfListedPlansAreThoseThatNoResponseFollows) {
-  // One at a time from 0, a product of two factors does not move.
+  // With one at a time from 0, a product of two factors does not change.
   const Respond sum = [](const std::vector<double>& x) { return std::vector{x[0] - x[2], 7.0}; };
   EXPECT_THAT(idle_of(factor_study(Plan::one_at_a_time, {2, 3, 4}), sum), ElementsAre(1));
   EXPECT_THAT(idle_of(factor_study(Plan::one_at_a_time, {2, 3, 4}), kFirstAndLast), ElementsAre(0, 1, 2));
@@ -100,11 +100,11 @@ TEST(IdleFactors, OfDrawnPlansAreFoundByPairsOfDesigns) {
   for (const Plan plan : {Plan::latin_hypercube, Plan::sobol, Plan::monte_carlo}) {
     const Study study = factor_study(plan, {0, 2, 0, 1}, 50);
     std::size_t designs = 0;
-    // Where all others are as in the file, at 0, the product would not follow.
+    // With all others as in the file, at 0, the product would not change.
     const Respond product = [](const std::vector<double>& x) { return std::vector{x[0] * x[2], 1.0}; };
     EXPECT_THAT(idle_drawn(study, product, &designs), ElementsAre(1));
-    EXPECT_EQ(designs, 12u);                          // Four of each factor that varies.
-    EXPECT_THAT(idle_of(study, product), IsEmpty());  // Its own designs do not tell.
+    EXPECT_EQ(designs, 12u);                          // Four designs for each factor that varies.
+    EXPECT_THAT(idle_of(study, product), IsEmpty());  // The plan's own designs do not show it.
   }
 }
 

@@ -140,7 +140,7 @@ TEST(Journal, AnyFlippedBitIsFoundAndWhatStandsBeforeItIsKept) {
         ASSERT_TRUE(
             same_rows(journal.block(journal.records()[r]), synthetic_rows(journal.records()[r].designs.first, kRows)));
     } catch (const StudyFolderError&) {
-      ASSERT_LT(k, first_record + 100);  // Records have no error of their own.
+      ASSERT_LT(k, first_record + 100);  // Records have no error message of their own.
     }
   }
 }
@@ -216,7 +216,7 @@ TEST(Journal, RecordsThatClaimMoreThanTheyHoldAreDamage) {
   const Journal journal = Journal::temporary(synthetic_header(std::uint64_t{1} << 62));
   RowBlock block = synthetic_rows(0, 4);
   EXPECT_TRUE(journal.takes(encode(block)));
-  // Rows times responses times eight is one turn of 64 bits more than what the record has.
+  // Rows times responses times eight exceed the record's value by one turn of 64 bits.
   RowBlock wrapped = synthetic_rows(0, 1);
   wrapped.rows = (std::uint64_t{1} << 61) + 1;
   wrapped.responses.resize(kRows);

@@ -29,7 +29,7 @@ using Words = std::vector<std::string>;
 const auto kKilledDesigns = static_cast<std::size_t>(test::samples(100'000, 100'000));
 constexpr const char* kFolder = "PRS_KILL_TEST_FOLDER";
 
-/// All that `prs study --output` does, on a cheap evaluator.
+/// All steps of `prs study --output`, on a cheap evaluator.
 void run_whole_study(const fs::path& path) {
   const StudyFolder folder(path, StudyFolder::Use::alone);
   const RunDesigns run = [](const NextRange& next, const TakeRecord& take) {
@@ -41,20 +41,20 @@ void run_whole_study(const fs::path& path) {
   folder.remove_journals();
 }
 
-/// The other process of the test below, not a test of its own.
+/// The other process of the test below, not a separate test.
 TEST(KilledStudy, DISABLED_Process) {
   const char* folder = std::getenv(kFolder);
   ASSERT_NE(folder, nullptr);
   run_whole_study(folder);
 }
 
-/// Whether a program has ended, by what `Process::end` gave.
+/// Whether a program has ended, by the result of `Process::end`.
 bool has_ended(int end) {
   pollfd file{end, POLLIN, 0};
   return ::poll(&file, 1, 0) > 0;
 }
 
-/// Most bytes that a folder holds while a program writes into it, to its end.
+/// Largest size of a folder while a program writes into it, until it ends.
 std::uintmax_t most_bytes(const test::Process& process, const fs::path& folder) {
   const test::FolderWatch watch;
   watch.add(folder);
@@ -66,7 +66,7 @@ std::uintmax_t most_bytes(const test::Process& process, const fs::path& folder) 
   return most;
 }
 
-/// Waits until a folder holds so many bytes, or until the program has ended.
+/// Waits until a folder holds this many bytes, or until the program has ended.
 void wait_for_bytes(const test::Process& process, const fs::path& folder, std::uintmax_t bytes) {
   const test::FolderWatch watch;
   watch.add(folder);
@@ -76,9 +76,9 @@ void wait_for_bytes(const test::Process& process, const fs::path& folder, std::u
   ::close(end);
 }
 
-/// Runs a program into fresh folders and kills it when it has written a random number of bytes,
-/// until `kills` of them hit, one of them at least what has begun its journal, starting it again
-/// and again until it ends by itself; its files are then those of a run that nothing disturbed.
+/// Runs a program into fresh folders and kills it after it has written a random number of bytes, until `kills` of them
+/// hit, at least one after its journal has begun, and restarts it until it ends by itself; its files must be those of
+/// an undisturbed run.
 void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& command, int kills) {
   const test::TemporaryDirectory undisturbed;
   std::uintmax_t all_bytes = 0;
@@ -91,7 +91,7 @@ void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& comman
   ASSERT_TRUE(expected.contains("study.csv"));
 
   std::mt19937 random(11);
-  // Of the bytes that are still to come; below 0 at once, above 1 never.
+  // Share of the remaining bytes; below 0 at once, above 1 never.
   std::uniform_real_distribution<double> share(-0.1, 1.1);
   int hits = 0;
   int with_journal = 0;
@@ -100,7 +100,7 @@ void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& comman
   for (; !enough() && studies < 100 + kills; ++studies) {
     const test::TemporaryDirectory folder;
     for (bool complete = false; !complete;) {
-      const std::uintmax_t done = test::bytes_in(folder.path());  // Of earlier runs.
+      const std::uintmax_t done = test::bytes_in(folder.path());  // From earlier runs.
       const double rest = static_cast<double>(all_bytes - std::min(done, all_bytes));
       const double moment = enough() ? 2.0 : share(random);
       test::Process process(command(folder.path()));

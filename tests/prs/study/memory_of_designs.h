@@ -9,7 +9,7 @@
 
 namespace test {
 
-/// 1024 designs take memory as often as 64 do, once those before have left some.
+/// Checks that 1024 designs allocate memory as often as 64 do, after earlier ones have left some.
 inline void expect_no_memory_per_design(const prs::DesignEngine& engine) {
   const auto allocations_of = [&](std::size_t designs) {
     const std::size_t before = allocations();

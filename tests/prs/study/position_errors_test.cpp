@@ -27,7 +27,7 @@ TEST(PositionErrors, OfScrewAndNutMoveTheLoadSharingThoseOfRollersHardly) {
   EXPECT_LT(factors[2].total.value, 0.01);
 }
 
-// A screw that nothing holds centres itself: the assumption behind that order.
+// A screw without supports centres itself: the assumption behind that order.
 TEST(PositionErrors, OfAFreeScrewMoveHardlyAnything) {
   const auto deviation = [](const std::vector<std::string>& overrides) {
     return *studied(overrides).statistics.at(0).standard_deviation;

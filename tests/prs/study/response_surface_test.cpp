@@ -39,8 +39,8 @@ TEST(LinearRegression, FindsALinearFunctionToRounding) {
   EXPECT_NEAR(fits[1]->intercept, 1e6, 1e-9);
 }
 
-/// y = 10 + 3 x_1 - x_2 + x_1 x_2 / 2 over the corners of a square, each taken `times` times: the
-/// interaction is what the fit leaves, 1/4 a row of a total of 41/4.
+/// y = 10 + 3 x_1 - x_2 + x_1 x_2 / 2 over the corners of a square, each taken `times` times: the interaction is the
+/// residual of the fit, 1/4 per row of a total of 41/4.
 class Corners : public testing::TestWithParam<int> {};
 
 TEST_P(Corners, FollowTheClosedForm) {
@@ -66,7 +66,7 @@ TEST_P(Corners, FollowTheClosedForm) {
     EXPECT_NEAR(*effect.standard_error, std::sqrt(0.25 / (rows - 3)), 1e-13);
 }
 
-// Around the 128 rows that are taken at once.
+// Numbers around the 128 rows that are processed at once.
 INSTANTIATE_TEST_SUITE_P(Rows, Corners, testing::Values(1, 31, 32, 33, 64, 1000));
 
 TEST(LinearRegression, FitWithoutRowsLeftOverHasNoErrors) {

@@ -51,7 +51,7 @@ double kolmogorov_smirnov(std::vector<double> sample, const std::function<double
   }
   return distance * std::sqrt(n);
 }
-constexpr double kOneInAThousand = 1.95;  ///< Exceeded with that probability.
+constexpr double kOneInAThousand = 1.95;  ///< Value exceeded with that probability.
 
 double uniform_cdf(double x) { return x; }
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
@@ -203,7 +203,7 @@ double integration_error(double (*number)(std::uint64_t, std::size_t, std::uint6
   return std::sqrt(squares / kSeeds);
 }
 
-// The root of the number for Monte Carlo, close to the number itself for a smooth integrand.
+// Error over the root of the number for Monte Carlo, over almost the number itself for a smooth integrand.
 TEST(Sobol, IntegratesFasterThanMonteCarlo) {
   const double far = integration_error(sobol_number, 8192);
   EXPECT_GT(integration_error(sobol_number, 128), 32.0 * far);

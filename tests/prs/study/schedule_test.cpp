@@ -14,7 +14,7 @@
 namespace prs {
 namespace {
 
-/// Hands out [0, designs).
+/// Distributes [0, designs).
 class Counter {
  public:
   explicit Counter(std::size_t designs) : designs_(designs) {}
@@ -48,7 +48,7 @@ TEST(Schedule, EvaluatesEachDesignOnceOnAnyNumberOfThreads) {
   }
 }
 
-/// The first of the designs that are asked for, as where they take long.
+/// Only the first of the requested designs, as if they took long.
 RowBlock first_rows(std::size_t first, std::size_t count) {
   return test::synthetic_rows(first, std::min<std::size_t>(count, 1 + first % 7));
 }

@@ -18,11 +18,11 @@
 #include "tests/support/count.h"
 #include "tests/support/slips.h"
 
-// Slip of designs side by side against the same designs one after the other.
+// Slip of designs side by side, compared with the same designs one after the other.
 namespace prs {
 namespace {
 
-/// Of `test::random_slip`, some with mixed friction, plain bearings, wear, imposed slip ratios.
+/// Case of `test::random_slip`, some with mixed friction, plain bearings, wear, imposed slip ratios.
 Case random_design(std::mt19937_64& random, int patch_points) {
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   Case c = test::random_slip(random);
@@ -37,12 +37,12 @@ Case random_design(std::mt19937_64& random, int patch_points) {
   if (uniform(0.0, 1.0) < 0.2) c.wear = Wear{1e-17};
   if (uniform(0.0, 1.0) < 0.1) c.operation->slip_ratio = uniform(0.3, 0.5);
   if (uniform(0.0, 1.0) < 0.05)
-    c.friction->coefficient = at_both(100.0 * c.friction->coefficient.screw);  // jams where it is Coulomb's
+    c.friction->coefficient = at_both(100.0 * c.friction->coefficient.screw);  // jams with Coulomb friction
   if (uniform(0.0, 1.0) < 0.05) c.carrier.nut_torque = 1e5;                    // no equilibrium
   return c;
 }
 
-/// Largest relative difference, of vectors relative to their length.
+/// Largest relative difference, for vectors relative to their length.
 class Difference {
  public:
   void of(double value, double expected, double scale) {

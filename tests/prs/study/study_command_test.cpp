@@ -46,8 +46,8 @@ class StudyCommand : public testing::Test {
     return "study '" + file.string() + "' --quiet --output '" + output.string() + "' " + more;
   }
 
-  /// Starts a study of so many designs, stops it while it computes, sees that its folder is refused
-  /// to another process, and interrupts it. False where it was done before it stopped.
+  /// Starts a study of this many designs, stops it while it computes, checks that its folder is refused to another
+  /// process, and interrupts it. Returns false if it was done before it stopped.
   bool interrupts(int designs) const {
     fs::remove_all(folder);
     test::write_study_file(file, static_cast<std::size_t>(designs));
@@ -143,7 +143,7 @@ TEST_F(StudyCommand, WritesTheSameFilesOnAnyNumberOfThreadsAndInShards) {
   EXPECT_EQ(incomplete.out, "");
   EXPECT_THAT(incomplete.err, HasSubstr("shard 2/3: 500 of 500 designs are missing"));
   EXPECT_EQ(prs(into(two, "--shard 2/3 --threads 1")).status, 0);
-  fs::remove(file);  // Journals are enough.
+  fs::remove(file);  // Journals are sufficient.
   ASSERT_EQ(prs(merge + (temporary.path() / "m").string()).status, 0);
   EXPECT_TRUE(files_in(temporary.path() / "m") == expected);
 }
@@ -171,12 +171,12 @@ TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
     EXPECT_THAT(document["warnings"].get<std::vector<std::string>>(), testing::ElementsAre(is_void, is_idle)) << plan;
     EXPECT_THAT(prs(lesson + study).out, HasSubstr("moved no response")) << plan;
   }
-  // Pressures follow, on loads that do not.
+  // Pressures change, on loads that do not.
   const Outcome pressures = prs(lesson + "--json --set 'study={command: solve, plan: grid, " + factors +
                                 "responses: [screw.peak_pressure_MPa.max]}'");
   EXPECT_THAT(nlohmann::json::parse(pressures.out)["warnings"].get<std::vector<std::string>>(),
               testing::ElementsAre(testing::HasSubstr("flank_angle: moves no load or stiffness:")));
-  // Without overrides all of it follows.
+  // Without overrides all of it changes.
   const Outcome free = prs("study '" PRS_SOURCE_DIR
                            "/configs/04_contacts_from_geometry.yaml' --json --set "
                            "'study={command: solve, plan: grid, " +
@@ -185,7 +185,7 @@ TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
   EXPECT_TRUE(nlohmann::json::parse(free.out)["warnings"].empty());
 }
 
-/// Rules of new cases assume contacts for one lead; a study over the lead says what does not follow.
+/// Rules of new cases assume contacts for one lead; a study over the lead names the assumptions that refuse designs.
 TEST_F(StudyCommand, SaysWhichAssumedValuesRefuseDesigns) {
   const std::string own = (folder.parent_path() / "a.yaml").string();
   ASSERT_EQ(prs("new standard " + own + " --screw-diameter 25mm --lead 5mm").status, 0);
@@ -212,7 +212,7 @@ TEST_F(StudyCommand, ShardsWithoutSenseAreStatus2) {
 }
 
 TEST_F(StudyCommand, InterruptedItContinues) {
-  // A busy machine may stop a study too late, at its end or among its files: then one of more designs.
+  // A busy machine may stop a study too late, at its end or among its files: then one of more designs is used.
   int designs = test::samples(40'000, 40'000);
   for (int tries = 1; !interrupts(designs) || files_in(folder).size() > 1; designs *= 4)
     ASSERT_LT(++tries, 5) << designs;
@@ -230,7 +230,7 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   ASSERT_EQ(
       std::sscanf(resumed.err.c_str(), "%d designs: %d were in the journal, %d computed", &total, &found, &computed), 3)
       << resumed.err;
-  EXPECT_GE(total, designs);  // And the base case.
+  EXPECT_GE(total, designs);  // Including the base case.
   EXPECT_GT(found, 0);
   EXPECT_EQ(found + computed, total);
   const Outcome whole = prs(loud + alone.string() + "'");
@@ -245,7 +245,7 @@ TEST_F(StudyCommand, FullDiskIsToldAndNothingIsLost) {
   EXPECT_EQ(full.status, 1);
   EXPECT_THAT(full.err, HasSubstr("cannot write '" + journal_path(folder, {}).string() + "'"));
   EXPECT_THAT(full.err, HasSubstr("the same command continues"));
-  // The journal has room, the files do not.
+  // The journal fits, the files do not.
   const Outcome later = prs(into(folder), "ulimit -f 400;");
   EXPECT_EQ(later.status, 1);
   EXPECT_THAT(later.err, HasSubstr("study."));
@@ -260,7 +260,7 @@ TEST_F(StudyCommand, WaitsForAProcessThatIsAboutToEnd) {
   const fs::path lock = folder / "study.lock";
   FileDescriptor holder(::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   ASSERT_EQ(::flock(holder.get(), LOCK_EX | LOCK_NB), 0);
-  // The lock is given back when the study has come as far as asking for it.
+  // The lock is released after the study has requested it.
   const FileDescriptor opened(::inotify_init1(IN_CLOEXEC));
   ASSERT_GE(::inotify_add_watch(opened.get(), lock.c_str(), IN_OPEN), 0);
   test::Process study({test::program(), "study", file.string(), "--output", folder.string()});

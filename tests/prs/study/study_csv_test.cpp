@@ -104,7 +104,7 @@ TEST(FactorColumns, OfOnePathHaveDifferentNames) {
   const std::vector<FactorColumn> columns = factor_columns(study);
   EXPECT_EQ(columns[2].name, "mechanism.pitch_diameter.screw_mm_2");
   EXPECT_EQ(columns[0].base, 30.0);
-  EXPECT_TRUE(std::isnan(columns[1].base));  // The file says nothing.
+  EXPECT_TRUE(std::isnan(columns[1].base));  // The file has no value.
 }
 
 TEST(WriteRows, GivesTheSameFilesForAnyBlocksAndThreads) {

@@ -23,7 +23,7 @@ Factor factor(const std::string& path, const std::string& unit, double at) {
   return f;
 }
 
-/// A stiffness of 800 N/um: twice the diameter's change, against that of a bore, none of a length.
+/// A stiffness of 800 N/um: twice the diameter's change, opposite to a bore's, independent of a length.
 CaseDerivatives sample_derivatives() {
   CaseDerivatives d;
   d.study.responses = {"axial_stiffness_N_per_um"};
@@ -59,7 +59,7 @@ TEST(DerivativesFiles, TableHasTheUnitsOfTables) {
   const std::string table = derivatives_table(sample_derivatives());
   // 1 lbf/in = 175.126835 N/m (NIST SP 811, appendix B.8, with the digits of its factors).
   EXPECT_THAT(table, HasSubstr("axial stiffness: 4.56812 lbf/µin"));
-  EXPECT_THAT(table, HasSubstr(" 0.4568118 "));  // Per mm of the diameter, as the file states it.
+  EXPECT_THAT(table, HasSubstr(" 0.4568118 "));  // Per mm of the diameter, the unit in the file.
 }
 
 TEST(DerivativesFiles, TableHasTheStrongestFirst) {

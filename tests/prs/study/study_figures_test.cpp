@@ -74,7 +74,7 @@ TEST(StudyFigures, ShowPowerBySourceWhereItIsRecorded) {
   ASSERT_THAT(names(figures), ElementsAre("01_speed"));
   const Figure& figure = figures[0];
   ASSERT_THAT(figure.panels, SizeIs(2));
-  // Of the 200 W in the file the screw takes 3/4: 37.5, 75 and 150 % at 1, 2 and 4.
+  // The screw takes 3/4 of the 200 W in the file: 37.5, 75 and 150 % at 1, 2 and 4.
   const Polyline& screw = figure.panels[0].series.at(0).parts.at(0);
   EXPECT_THAT(screw, ElementsAre(ElementsAre(1.0, 0.0), ElementsAre(2.0, 0.0), ElementsAre(4.0, 0.0),
                                  ElementsAre(4.0, 150.0), ElementsAre(2.0, 75.0), ElementsAre(1.0, 37.5)));
@@ -97,7 +97,7 @@ TEST(StudyFigures, ParetoGraphAddsUpTheRankedContributions) {
   const std::vector<Tick>& ticks = figures[0].y.ticks;
   ASSERT_THAT(ticks, SizeIs(3));
   EXPECT_EQ(ticks[0].text, "Flank angle");
-  EXPECT_EQ(ticks[0].at, 3.0);  // From above.
+  EXPECT_EQ(ticks[0].at, 3.0);  // Counted from above.
   const Series &grows = panel.series.at(0), &falls = panel.series.at(1);
   EXPECT_NEAR(grows.parts.at(0).at(1)[0], 75.0, 1e-9);
   EXPECT_NEAR(falls.parts.at(0).at(0)[0], -25.0, 1e-9);
@@ -116,7 +116,7 @@ TEST(StudyFigures, HistogramHasAllDesigns) {
   double count = 0.0;
   for (const Polyline& bar : histograms.panels[0].series.at(0).parts) count += bar.at(2)[1];
   EXPECT_EQ(count, 500.0);
-  EXPECT_EQ(histograms.panels[0].references.back().at, 5.0);  // As in the file.
+  EXPECT_EQ(histograms.panels[0].references.back().at, 5.0);  // Value as in the file.
 }
 
 TEST(StudyFigures, SharesOfTheVarianceCarryTheirIntervals) {
@@ -180,9 +180,9 @@ TEST(StudyFigures, GridOfTwoLongFactorsIsAMap) {
   const Figure partly = study_figures(sample::run(study, [&](const std::vector<double>& x) {
                           return x[1] > 4.0 ? std::vector<double>() : product(x);
                         })).at(0);
-  EXPECT_EQ(partly.y.to, 4.0);  // No design beyond has an answer.
+  EXPECT_EQ(partly.y.to, 4.0);  // No design beyond has a result.
   EXPECT_EQ(partly.x.to, 6.5);
-  // Asked for, the same as lines: eight of the twelve.
+  // On request the same as lines: eight of the twelve.
   const StudyResult result = sample::run(study, product);
   const auto lines = test::shown(study_pictures(result), "lines");
   ASSERT_TRUE(lines);
@@ -209,7 +209,7 @@ TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
   EXPECT_LE(y.colours->from, 1.0);
   EXPECT_GE(y.colours->to, 6.5 * 6.5);
   EXPECT_THAT(y.panels[0].series.back().parts, ElementsAre(Polyline{{1.25, 3.0}}));
-  ASSERT_THAT(y.panels[1].surface->points, SizeIs(1));  // B is nowhere.
+  ASSERT_THAT(y.panels[1].surface->points, SizeIs(1));  // B is missing.
   EXPECT_NEAR(y.panels[1].surface->points[0].z, 3.75, 1e-12);
   EXPECT_NEAR(figures[0].panels[1].surface->points[0].z, 3.75 * 3.75, 1e-12);
   EXPECT_EQ(y.panels[1].surface->grid.at(11, 0), 6.5);

@@ -11,8 +11,8 @@
 
 namespace test {
 
-/// Writes a case with a Monte Carlo study of so many samples: solves of a published screw, a few of
-/// them refused; two responses, for few pictures.
+/// Writes a case with a Monte Carlo study of this many samples: solves of a published screw, a few of them refused; two
+/// responses, for few pictures.
 inline void write_study_file(const std::filesystem::path& path, std::size_t samples) {
   std::string text = content_of(PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml");
   text += fmt::format(R"(

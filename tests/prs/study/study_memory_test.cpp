@@ -9,8 +9,8 @@
 
 namespace {
 
-/// Beyond the designs that are kept for the document and the quantiles. 1.5 MB is 4 bytes for each
-/// of those that are more; the heap grows by 1 MB at a time.
+/// Beyond the designs that are kept for the document and the quantiles. 1.5 MB is 4 bytes for each additional design;
+/// the heap grows by 1 MB at a time.
 TEST(StudyMemory, IsTheSameForMoreDesigns) {
   SKIP_UNDER_SANITIZERS();
   const auto peak = [](const std::string& samples) {

@@ -89,7 +89,7 @@ class Reader {
 };
 
 TEST(StudyNetcdf, HoldsWhatTheDesignsSetAndGave) {
-  constexpr std::size_t kDesigns = 40'000;  // More than are written at once.
+  constexpr std::size_t kDesigns = 40'000;  // More designs than are written at once.
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.nc";
   const Study study = test::synthetic_study(kDesigns);
@@ -140,8 +140,8 @@ TEST(StudyNetcdf, SaysWhatItsNumbersAre) {
   EXPECT_THAT(file.text("status", "flag_meanings"), testing::StartsWith("converged refused failed iteration_limit"));
 }
 
-/// Object headers of an HDF5 file, and those of them that hold dates: bit 5 of the flags (HDF5 file
-/// format specification 3.0, IV.A.1.b), which follow the signature and the version.
+/// Object headers of an HDF5 file, and the number of them with dates: bit 5 of the flags (HDF5 file format
+/// specification 3.0, IV.A.1.b), which follow the signature and the version.
 std::pair<int, int> headers_and_dates(const std::string& content) {
   int headers = 0, dates = 0;
   for (std::size_t at = 0; (at = content.find("OHDR", at)) != std::string::npos; at += 4) {

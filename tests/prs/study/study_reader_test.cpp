@@ -16,18 +16,18 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr int kLine = 30;  // Of the first factor.
+constexpr int kLine = 30;  // Line of the first factor.
 
 Source source_of(const std::string& study) { return {"case.yaml", kAbevi + study, {}}; }
 
-/// A study with one factor, which stands on the line after `factors:`.
+/// A study with one factor, on the line after `factors:`.
 Source with_factor(const std::string& factor) {
   return source_of("study:\n  command: solve\n  factors:\n    - {" + factor + "}\n");
 }
 
 Factor read(const std::string& factor) { return read_study_input(with_factor(factor)).study.factors.at(0); }
 
-/// A study of 100 samples; its first factor stands on the same line.
+/// A study of 100 samples; its first factor is on the same line.
 Source with_samples(const std::string& factor, const std::string& plan = "latin_hypercube") {
   return source_of("study:\n  {command: solve, plan: " + plan + ", samples: 100,\n  factors: [\n      {" + factor +
                    "}]}\n");
@@ -145,7 +145,7 @@ TEST(StudyReader, RefusesCompanionsThatCannotGoAlong) {
               HasSubstr("study.factors[0].with: got"));
 }
 
-/// A grid over two lengths, or `second` for the other one, with an envelope.
+/// A grid over two lengths, or `second` in place of the other one, with an envelope.
 Source with_envelope(
     const std::string& envelope,
     const std::string& second = "{path: structure.screw.bore, values: {from: 2 mm, to: 8 mm, steps: 4}}") {

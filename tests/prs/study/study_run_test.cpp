@@ -45,7 +45,7 @@ struct Computer {
   }
 };
 
-/// Stops a run once so many designs were given away.
+/// Stops a run after this many designs were given away.
 StudyRunOptions stopped_after(std::size_t blocks) {
   auto asked = std::make_shared<std::size_t>(0);
   return {.interrupted = [=] { return ++*asked > blocks; }};
@@ -104,7 +104,7 @@ TEST(StudyRun, ContinuesWithWhatIsMissing) {
   EXPECT_EQ(computer.evaluated, kDesigns);
   const StudyFolder folder(temporary.path(), Use::alone);
   expect_all_rows(run_study(synthetic_header(kDesigns), &folder, computer.run(), {}));
-  EXPECT_EQ(computer.evaluated, kDesigns);  // Nothing was left to do.
+  EXPECT_EQ(computer.evaluated, kDesigns);  // Nothing remained to be done.
   folder.remove_journals();
   EXPECT_TRUE(journal_paths(temporary.path()).empty());
 }

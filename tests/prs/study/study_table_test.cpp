@@ -43,13 +43,13 @@ TEST(StudyTable, RankingComesFirst) {
   EXPECT_LT(a, b);
   EXPECT_LT(b, mean);
   EXPECT_THAT(table, AllOf(HasSubstr("+75.00 %"), HasSubstr("-25.00 %"), HasSubstr("R² = 1.0000")));
-  // The other response is a product: nothing of it is linear.
+  // The other response is a product without a linear part.
   EXPECT_THAT(table, HasSubstr("little of it is linear"));
   EXPECT_THAT(table, Not(HasSubstr("without an answer")));
   expect_narrow(table);
 }
 
-/// The numbers of a line that begins so.
+/// Numbers of the line that begins with a label.
 std::vector<double> numbers_of(const std::string& table, const std::string& label) {
   const std::size_t line = table.rfind("\n" + label);
   if (line == std::string::npos) return {};

@@ -53,10 +53,10 @@ inline prs::JournalHeader synthetic_header(std::size_t designs, prs::Shard shard
   return {prs::study_key("1", source), source, synthetic_study(designs).responses, designs, shard};
 }
 
-/// Whether two blocks are the same to the last bit.
+/// Whether two blocks are equal bit by bit.
 inline bool same_rows(const prs::RowBlock& a, const prs::RowBlock& b) { return prs::encode(a) == prs::encode(b); }
 
-/// What the StudyFolderError says that `run` throws; empty where it throws none.
+/// Text of the StudyFolderError that `run` throws; empty if it throws none.
 std::string folder_error_of(auto run) {
   try {
     run();

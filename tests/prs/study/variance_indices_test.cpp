@@ -43,7 +43,7 @@ const FactorIndices& of(const ResponseIndices& result, std::size_t factor) {
   return *std::ranges::find(result.factors, factor, &FactorIndices::factor);
 }
 
-/// How many of `repeats` intervals hold the truth, first indices and then total ones.
+/// Number of `repeats` intervals that hold the truth, for first indices and then for total ones.
 struct Coverage {
   std::vector<int> first, total;
 };
@@ -81,7 +81,7 @@ struct Ishigami {
 
 TEST(VarianceIndices, OfIshigamisFunction) {
   const Ishigami truth;
-  EXPECT_NEAR(truth.first[0], 0.3139, 5e-5);  // As published.
+  EXPECT_NEAR(truth.first[0], 0.3139, 5e-5);  // Published value.
   EXPECT_NEAR(truth.first[1], 0.4424, 5e-5);
   EXPECT_NEAR(truth.total[0], 0.5576, 5e-5);
   EXPECT_NEAR(truth.total[2], 0.2437, 5e-5);
@@ -100,7 +100,7 @@ TEST(VarianceIndices, OfIshigamisFunction) {
   EXPECT_EQ(result.factors[2].factor, 2U);
 }
 
-// Of 200 intervals at 95 %, fewer than 178 hold the truth once in 10,000 times.
+// Probability that fewer than 178 of 200 intervals at 95 % hold the truth: one in 10,000.
 TEST(VarianceIndices, IntervalsHoldTheTruthAsOftenAsTheySay) {
   const Ishigami truth;
   const Coverage c = coverage(ishigami, truth.first, truth.total, 200, 1024);
@@ -108,7 +108,7 @@ TEST(VarianceIndices, IntervalsHoldTheTruthAsOftenAsTheySay) {
     EXPECT_GE(c.first[i], 178) << i;
     EXPECT_GE(c.total[i], 178) << i;
   }
-  EXPECT_LT(c.first[0] + c.first[1] + c.total[0] + c.total[1], 800);  // Nor always.
+  EXPECT_LT(c.first[0] + c.first[1] + c.total[0] + c.total[1], 800);  // Some intervals do not hold it.
 }
 
 /// Sobol's g-function, a product of (|4 u - 2| + a) / (1 + a).

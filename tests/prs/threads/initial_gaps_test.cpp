@@ -141,7 +141,7 @@ TEST(Deviations, RigidBodiesShareTheLoadAmongTheThreadsThatTouch) {
 TEST(Deviations, AllThreadsButOneRelievedHaveTheClosedForm) {
   test::SectorCase c = test::abevi();
   c.options.roller = ModelOptions::Roller::rigid_bending;
-  // In tension a screw thread further out hangs back; a nut thread further in makes way.
+  // In tension a screw thread further out lags; a nut thread further in gives way.
   std::vector<double> further(20, 1e-4), nearer(20, -1e-4);
   further[0] = nearer[0] = 0.0;
   c.deviations.pitch_error.screw = list(further);

@@ -25,9 +25,9 @@ KinematicGeometry geometry_of(const Case& c) {
   return g;
 }
 
-/// The screw of a standard mechanism turns and its nut does not; inverted, the other way round.
+/// The screw of a standard mechanism turns and its nut does not; for an inverted one it is the other way round.
 TEST(Frame, OnePartTurnsAndTheOtherIsHeld) {
-  const double speed = -40.0, nut = 0.0, carrier = 0.3 * speed;  // Against the nut.
+  const double speed = -40.0, nut = 0.0, carrier = 0.3 * speed;  // Speeds against the nut.
   using enum contact::MechanismType;
   EXPECT_EQ(turning_speed(standard, speed), speed);
   EXPECT_EQ(against_frame(true, nut, speed), 0.0);
@@ -58,7 +58,7 @@ TEST(Kinematics, RollersDoNotTurnAtPureSliding) {
   }
 }
 
-/// (2.12): holds for every slip ratio, also for pitches off each other as the rollers then migrate.
+/// (2.12): valid for every slip ratio, also for different pitches, as the rollers then migrate.
 TEST(Kinematics, ContactsNeitherPartNorPenetrate) {
   std::mt19937_64 random(7);
   for (int n = test::count(100, 2000); n > 0; --n) {
@@ -106,7 +106,7 @@ TEST(Kinematics, IdealSlipRatioSlidesLeast) {
   }
 }
 
-/// Where both contacts are the pitch points of the gears, all three formulas give the same.
+/// If both contacts are the pitch points of the gears, all three formulas agree.
 TEST(Kinematics, EstimatesAgreeForContactsAtThePitchPoints) {
   for (const double gamma : {0.15, 0.2, 1.0 / 3.0}) {
     KinematicGeometry g;

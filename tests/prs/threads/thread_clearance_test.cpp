@@ -47,8 +47,8 @@ const std::vector<std::string> kThickness = {"mechanism.thread.screw.thickness=2
                                              "mechanism.thread.roller.thickness=2.4 mm",
                                              "mechanism.thread.nut.thickness=2 mm"};
 
-/// Gap of the flanks above a roller's thread that stands in the middle of the body's groove, over
-/// the point (x, y) from the body's axis: the two surfaces z(r, theta) themselves.
+/// Gap of the flanks above a roller's thread in the middle of the body's groove, over the point (x, y) from the body's
+/// axis: the two surfaces z(r, theta) themselves.
 struct Gap {
   const contact::MechanismGeometry& m;
   Interface interface;
@@ -128,7 +128,7 @@ TEST(ThreadWidths, LeadToPointsOnTheArc) {
       }
 }
 
-// (51): no crest and no gap between roots are left where the flanks meet.
+// (51): crests and gaps between roots vanish where the flanks meet.
 TEST(ThreadWidths, VanishWhereFlanksMeet) {
   for (const bool internal : {false, true})
     for (const double curvature : {0.0, 60.0, -60.0}) {
@@ -174,7 +174,7 @@ TEST(ThreadClearance, OfCrestsIsThatOfYaosClosedForms) {
       const double tan_body = std::tan(body.flank_angle);
       const double c_body = *body.thickness - 2.0 * *body.addendum * tan_body;
       const double c_roller = p - 2.0 * phi_r(m.roller.pitch_radius + *m.roller.addendum);
-      // The profile's radius stands in the file with 16 digits.
+      // The profile's radius has 16 digits in the file.
       EXPECT_NEAR(c.body_crest.value(), phi_r(m.roller.pitch_radius - *body.addendum) - 0.5 * c_body, 1e-16);
       EXPECT_NEAR(c.roller_crest.value(), 0.5 * (p - c_roller - *body.thickness) - *m.roller.addendum * tan_body,
                   1e-16);
@@ -182,8 +182,8 @@ TEST(ThreadClearance, OfCrestsIsThatOfYaosClosedForms) {
   }
 }
 
-// (55) is the least gap of the two surfaces, half the backlash; crests lie on these surfaces, and
-// none comes nearer than the contact point.
+// (55) is the smallest gap of the two surfaces, half the backlash; crests lie on these surfaces, and none is nearer
+// than the contact point.
 TEST(ThreadClearance, IsTheGapOfTheSurfaces) {
   std::vector<Mechanism> mechanisms = {read("initial.yaml", kThickness), read("optimum.yaml", kThickness)};
   std::vector<std::string> normal = kThickness;
@@ -221,7 +221,7 @@ TEST(ThreadClearance, IsTheGapOfTheSurfaces) {
   }
 }
 
-// Of two external threads either may be called the body.
+// Either of two external threads may be called the body.
 TEST(ThreadClearance, OfTwoExternalThreadsIsMutual) {
   contact::MechanismGeometry m;
   m.screw = thread(9 * mm, 2 * mm, 10 * mm, 45 * deg);
@@ -252,7 +252,7 @@ TEST(ThreadClearance, IsAbsentWhereItHasNoMeaning) {
   EXPECT_FALSE(clearance({"mechanism.profile.roller=straight"}));
 }
 
-// A thread that is thinner by d on each flank leaves the contact where it was and d of play.
+// A thread that is thinner by d on each flank leaves the contact in place and adds d of play.
 TEST(ThreadThickness, AddsPlayAndMovesNothing) {
   const Contacts sharp = find_contacts(read("initial.yaml"), std::nullopt);
   const Contacts thin = find_contacts(read("initial.yaml", kThickness), std::nullopt);

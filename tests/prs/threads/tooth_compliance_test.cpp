@@ -56,8 +56,8 @@ TEST(Yamamoto, BendingIsThatOfATaperedPlate) {
 TEST(Yamamoto, RadialTermIsLamesForSolidAndRing) {
   const double d = 20e-3, outer = 40e-3, pitch = 2e-3;
   const ToothSection t{1.4e-3, 1.0e-3, 0.4e-3, pi / 4.0, pitch};
-  // 1 N/m along the thread at 45 deg is a pressure of 1/pitch on the cylinder; the thread gives way
-  // axially by the radial displacement.
+  // 1 N/m along the thread at 45 deg is a pressure of 1/pitch on the cylinder; the thread moves axially by the radial
+  // displacement.
   const double e = kSteel.youngs_modulus, nu = kSteel.poisson_ratio;
   EXPECT_NEAR(yamamoto_deflection(t, kSteel, d).radial, (1.0 - nu) * d / (2.0 * pitch * e), 1e-25);
   const double ring = (outer * outer + d * d) / (outer * outer - d * d) + nu;

@@ -37,7 +37,7 @@ LoadCaseResult computed(const std::string& name, const std::string& bodies = "ba
 
 constexpr const char* kFullCases[] = {"aligned", "missing roller", "thick roller", "moment", "side force"};
 
-/// Largest difference of the rollers' shares, of the load.
+/// Largest difference of the rollers' shares, over the load.
 double share_difference(const RollerShares& s, const json& reference) {
   double largest = 0.0;
   for (std::size_t j = 0; j < s.share.size(); ++j)
@@ -64,7 +64,7 @@ TEST(FullReference, BarsOfTheScriptGiveTheLoadsOfTheProgram) {
   }
 }
 
-/// Limits are what was found: they say how large the gap is and are no tolerance.
+/// Limits are the differences found: they describe the gap and are not a tolerance.
 TEST(FullReference, BarsAreThisFarFromFiniteElements) {
   const json& elements = full_reference()["finite elements"];
   struct Ratio {
@@ -91,9 +91,9 @@ TEST(FullReference, BarsAreThisFarFromFiniteElements) {
   }
 }
 
-/// What a moment or a side force adds to each contact of the screw, over the largest of it. Their
-/// overload factors differ by more, since the loads that they add to do: without them elements
-/// have 310 to 257 N from the first thread to the last, bars 286 to 281.
+/// Increase of each contact's load at the screw by a moment or a side force, over the largest of it. The overload
+/// factors differ by more, since the loads without them differ: elements have 310 to 257 N from the first thread to the
+/// last, bars 286 to 281.
 TEST(FullReference, WhatMomentsAddIsThatOfFiniteElements) {
   for (const std::string bodies : {"bars", "refined"}) {
     const LoadCaseResult aligned = computed("aligned", bodies);
@@ -119,7 +119,7 @@ TEST(FullReference, WhatMomentsAddIsThatOfFiniteElements) {
   }
 }
 
-/// The oval nut of the refined model: how far it is from the limit of three meshes.
+/// The oval nut of the refined model: its distance from the limit of three meshes.
 TEST(FullReference, RefinedBodiesShareTheLoadAsFiniteElementsDo) {
   struct Gap {
     const char* name;
@@ -143,7 +143,7 @@ TEST(FullReference, RefinedBodiesShareTheLoadAsFiniteElementsDo) {
   }
 }
 
-/// No mesh explains what bars give for a moment: their overload is as far from each of the three.
+/// No mesh explains the result of bars for a moment: their overload is as far from each of the three.
 TEST(FullReference, BarsAreAsFarFromEveryMeshUnderAMoment) {
   const auto largest = [](const std::string& name) {
     return computed(name).threads->screw.rollers->largest_normal_load;

@@ -1,4 +1,4 @@
-// Jung's printed tables: what gives them, and what the right formulas give instead.
+// Jung's printed tables: their origin, and the results of the right formulas.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -109,8 +109,8 @@ TEST(JungTables, PrintedStiffnessesHoldTheRadialTermsWithTheLead) {
   }
 }
 
-/// What is left of the ten stiffnesses leaves the load of a thread between 1476 and 1509 N, given
-/// the teeth; and another tooth does not do.
+/// The rounding of the ten stiffnesses restricts the load of a thread to between 1476 and 1509 N, given the teeth; and
+/// another tooth does not fit.
 TEST(JungTables, TheLoadOfAThreadIsFixedByTheLastDigits) {
   const auto misses = [](double load, double teeth) {
     int missed = 0;
@@ -152,7 +152,7 @@ TEST(JungTables, RightColumnsAreThoseOfTheTheory) {
       ASSERT_TRUE(lemor);
       EXPECT_NEAR(m.load_capacity / lemor->capacity, 1.0, 1e-14);
       EXPECT_NEAR(m.load_capacity / printed.load_capacity, 1.0, 1.1e-3);
-      EXPECT_GT(printed.weight, 1.15 * m.weight);  // The nut counted with twice its wall.
+      EXPECT_GT(printed.weight, 1.15 * m.weight);  // The nut is counted with twice its wall.
     }
 }
 
@@ -194,8 +194,8 @@ TEST(JungTables, RollersOfCase2AreAThirdOfTheScrew) {
   EXPECT_NEAR(first_2.stiffness / first_1.stiffness, 1.0, 1e-12);
 }
 
-/// (3.8) and (3.17) with the pitch do not know the starts, with the lead they go with 1/N_s; Hertz's axial approach
-/// goes with cos(beta)^(-5/3).
+/// (3.8) and (3.17) with the pitch do not depend on the starts, with the lead they go with 1/N_s; Hertz's axial
+/// approach goes with cos(beta)^(-5/3).
 TEST(JungThreads, StartsCountByTheSlipOnly) {
   const Diameters d = case_1()[0];
   const Threads one{.starts = 1}, four{.starts = 4};
@@ -367,7 +367,7 @@ struct ProgramRun {
   std::string out;
 };
 
-/// `prs validate --recipe jung-as-printed ARGUMENTS`; errors go nowhere.
+/// Runs `prs validate --recipe jung-as-printed ARGUMENTS`; errors are discarded.
 ProgramRun run_recipe(const std::string& arguments) {
   const test::TemporaryDirectory folder;
   const std::string out = (folder.path() / "out").string();

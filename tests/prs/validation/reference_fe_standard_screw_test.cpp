@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The screw of lesson 5 in tension with ring-shaped teeth, as the elements have it.
+/// The screw of lesson 5 in tension with ring-shaped teeth, as in the finite elements.
 LoadCaseResult computed(const std::string& bodies, bool flange_at_end) {
   std::vector<std::string> overrides{"model.bodies=" + bodies, "model.roller_contacts=half_pitch_apart",
                                      "load_cases=[{name: tension, axial_force: 60 kN, direction: tension, "
@@ -30,22 +30,23 @@ LoadCaseResult computed(const std::string& bodies, bool flange_at_end) {
   return analyze(c).load_cases.at(0);
 }
 
-/// Limits are what was found: they say how large the gap is and are no tolerance. The
-/// elements' own meshes leave 0.1 % of the displacement and 0.002 percentage points of any load.
+/// Limits are the differences found: they describe the gap and are not a tolerance. The elements' own meshes leave 0.1
+/// % of the displacement and 0.002 percentage points of any load.
 TEST(StandardScrewReference, ModelsAreThisFarFromFiniteElements) {
   SKIP_UNDER_SANITIZERS();
   const json reference = json::parse(std::ifstream(PRS_SOURCE_DIR "/validation/reference_fe/data/lesson_5.json"));
   struct Gap {
     const char* bodies;
     bool flange_at_end;
-    double displacement;  ///< Over that of the finite elements.
+    double displacement;  ///< Displacement over that of the finite elements.
     double load;          ///< Largest difference of a thread's load, in percent of a roller's.
   };
   const Gap gaps[] = {{"bars", false, 0.7905, 0.700},      {"bars", true, 0.7836, 0.446},
                       {"refined", false, 0.9693, 0.315},   {"refined", true, 0.9742, 0.446},
                       {"influence", false, 0.9934, 0.047}, {"influence", true, 0.9937, 0.045}};
   for (const Gap& gap : gaps) {
-    if (gap.flange_at_end && std::string(gap.bodies) == "influence" && !test::thorough()) continue;  // Seconds.
+    // This case takes seconds.
+    if (gap.flange_at_end && std::string(gap.bodies) == "influence" && !test::thorough()) continue;
     SCOPED_TRACE(std::string(gap.bodies) + (gap.flange_at_end ? ", flange at the end" : ", flange in the middle"));
     const json& wanted = reference[gap.flange_at_end ? "flange at the end" : "flange in the middle"]["limit"];
     const LoadCaseResult got = computed(gap.bodies, gap.flange_at_end);

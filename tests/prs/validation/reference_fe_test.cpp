@@ -40,7 +40,7 @@ const std::vector<Curve>& bar_curves() {
   return curves;
 }
 
-/// Only the largest load of the curves whose setup passes.
+/// Keeps only the largest load of the curves whose setup passes.
 template <class Keep>
 std::vector<Curve> at_full_load(Keep keep) {
   std::vector<Curve> kept;
@@ -244,7 +244,7 @@ TEST(FidelityStatements, HoldForBarsAndForModelsThatAreTheReference) {
   EXPECT_EQ(holds(ideal()), (std::vector{true, true, true, true, true}));
 }
 
-/// By which the influence model and the reference may differ.
+/// Largest difference between the influence model and the reference.
 const ErrorBar kJoint{kReferenceError.stiffness + kInfluenceError.stiffness,
                       kReferenceError.load_rate + kInfluenceError.load_rate};
 
@@ -302,7 +302,7 @@ TEST(Fidelities, RefinedStaysWithinItsPromise) {
   EXPECT_LE(s.worst_loads.value, kRefinedError.load_rate) << name(s.worst_loads.setup);
 }
 
-/// CONFIG 2 in tension; thoroughly all cases.
+/// CONFIG 2 in tension; all cases in the thorough run.
 TEST(Fidelities, InfluenceIsWithinBothErrorBarsOfTheReference) {
   SKIP_UNDER_SANITIZERS();
   const auto curves = at_full_load([](const auto& setup) { return test::count(0, 1) == 1 || setup == kExample; });

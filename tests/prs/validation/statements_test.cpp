@@ -7,7 +7,7 @@
 namespace prs {
 namespace {
 
-/// What a second, independent computation of the paper found to hold.
+/// Verdicts of a second, independent computation of the paper.
 TEST(Abevi2015, StatementsThatHoldWithThePapersOwnGuidance) {
   const std::string folder = PRS_SOURCE_DIR "/validation/abevi_2015/";
   const Case screw = input::read_case(folder + "screw.yaml", {}, Command::solve);

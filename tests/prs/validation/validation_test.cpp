@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 
 const std::filesystem::path kSources = PRS_SOURCE_DIR "/validation";
 
-/// All sources; Abevi's statements, which take a while, have a test of their own.
+/// All sources except Abevi's statements, which take longer and have a separate test.
 std::vector<SourceReport> all_reports() {
   return validate(
       kSources, {jung_2017::extension(), sandu_2018::extension(), standard_screws::extension(), yao_2023::extension()});
@@ -38,7 +38,7 @@ std::map<Outcome, int> outcomes(const SourceReport& report) {
   return count;
 }
 
-/// A source of its own with one case and these values, a block of YAML.
+/// A separate source with one case and these values, a block of YAML.
 SourceReport report_of(const std::string& values) {
   const test::TemporaryDirectory folder;
   std::filesystem::copy(kSources / "sandu_2018/example_1.yaml", folder.path() / "case.yaml");
@@ -48,7 +48,7 @@ SourceReport report_of(const std::string& values) {
   return validate(folder.path(), {}).front();
 }
 
-/// What is said of one printed centre distance, 20 mm in truth.
+/// Outcome for one printed centre distance, 20 mm in truth.
 Outcome outcome_of(const std::string& keys) {
   return report_of("      - {quantity: contact.centre_distance_mm, where: here, " + keys + "}\n")
       .comparisons.front()
@@ -93,7 +93,7 @@ TEST(Validation, EveryNumberThatChangesIsSeen) {
       }
 }
 
-/// Each verdict in words that is recorded, and each file of data, one byte of it changed.
+/// Each recorded verdict in words, and each file of data, one byte of it changed.
 TEST(Validation, EveryStatementAndEveryFileOfDataThatChangesIsSeen) {
   for (const SourceReport& report : all_reports())
     for (ComparedStatement s : report.statements) {
@@ -152,9 +152,9 @@ TEST(Validation, EverySourceFolderHasItsReferenceAndSource) {
 
 SourceReport sandu_report() { return validate(kSources / "sandu_2018", {sandu_2018::extension()}).front(); }
 
-/// Two signs and one digit in chapter 1 and appendix B; chapters 2 and 3: (2.20), both films, the
-/// roller-nut speed, a mass printed as roughly, and the efficiency for want of the bearing's table. Of other authors
-/// whom the thesis quotes: seven numbers of Jones, two of Fedosovsky, and three curvatures.
+/// Two signs and one digit in chapter 1 and appendix B; chapters 2 and 3: (2.20), both films, the roller-nut speed, a
+/// mass printed as roughly, and the efficiency, for which the bearing's table is missing. From other authors quoted in
+/// the thesis: seven numbers of Jones, two of Fedosovsky, and three curvatures.
 TEST(Validation, SandusNumbersReproduceButForNineAndThoseOfOthers) {
   const SourceReport report = sandu_report();
   const std::map<Outcome, int> count = outcomes(report);
@@ -177,8 +177,7 @@ TEST(Validation, SandusStatementsHoldButForFive) {
   EXPECT_EQ(not_held, 5);
 }
 
-/// With the absolute values of table 1.4 and (2.36) as printed, the printed films and speed come
-/// out; that is where they are from.
+/// With the absolute values of table 1.4 and (2.36) as printed, the printed films and speed result.
 TEST(Validation, SandusOwnFormulasGiveHisFilmsAndSpeeds) {
   const SourceReport report = sandu_report();
   const ValidationTable& table = report.tables.at(2);
@@ -190,8 +189,8 @@ TEST(Validation, SandusOwnFormulasGiveHisFilmsAndSpeeds) {
   }
 }
 
-/// The thesis does not say over which range B_1 and B_2 of (3.55) were fitted, so that no fit is to
-/// reproduce them: they lie among those of five ranges, within what the range changes.
+/// The thesis does not give the range over which B_1 and B_2 of (3.55) were fitted, so that no fit has to reproduce
+/// them: they lie among those of five ranges, within the effect of the range.
 TEST(Validation, SandusFitDependsOnItsRange) {
   const SourceReport report = sandu_report();
   const ValidationTable& fits = report.tables.at(4);
@@ -261,7 +260,7 @@ TEST(Validation, ReferenceFilesAreReadStrictly) {
   EXPECT_THAT(error_of("      []\n"), HasSubstr("expected a list"));
 }
 
-/// A source of its own whose code is told its case and folder.
+/// A separate source whose code gets its case and folder.
 SourceReport report_with(const SourceExtension& code) {
   const test::TemporaryDirectory parent;
   const std::filesystem::path folder = parent.path() / code.folder;

@@ -30,7 +30,7 @@ Supplement sensitivity(const std::vector<std::string>& overrides = {}) {
                                read_reference(PRS_SOURCE_DIR "/validation/yao_2023/reference.yaml"));
 }
 
-// What the text says of figures 8 and 9 holds but for the load of (27) and two signs.
+// Statements of the text on figures 8 and 9 hold except for the load of (27) and two signs.
 TEST(YaoSensitivity, ReproducesTheTextButForTheLoadAndTwoSigns) {
   const Supplement found = sensitivity();
   ASSERT_EQ(found.statements.size(), 12U);

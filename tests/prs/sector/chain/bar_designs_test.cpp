@@ -62,7 +62,7 @@ TEST(BarDesigns, AgreeWithSparseSolverOnRandomSectors) {
   }
 }
 
-/// Sectors of one thread count, easy and hard ones, in batches in which each has other neighbours.
+/// Sectors of one thread count, easy and hard ones, in batches with different neighbours.
 TEST(BarDesigns, ResultsDoNotDependOnTheDesignsBeside) {
   std::mt19937_64 random(29);
   Designs designs;

@@ -73,8 +73,8 @@ TEST(ChainSolver, AgreesWithSparseSolverOnRandomRefinedSectors) {
   agree_on_random_sectors(test::samples(60, 2000), true);
 }
 
-/// A sector of 89 threads whose residual rounding keeps above the tolerance: what the last step
-/// still changed in a force decides, and the bound of it by work is twenty times too large.
+/// A sector of 89 threads whose residual stays above the tolerance by rounding: the last step's change of a force
+/// decides, and its bound by work is twenty times too large.
 TEST(ChainSolver, ConvergesWhereRoundingIsAllThatIsLeft) {
   std::mt19937_64 random(17);
   SectorCase c;

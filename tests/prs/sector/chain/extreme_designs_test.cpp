@@ -18,9 +18,9 @@ namespace {
 
 using test::SectorCase;
 
-constexpr double kAgreement = 1e-9;  ///< As docs/studies.md states it.
+constexpr double kAgreement = 1e-9;  ///< Agreement as in docs/studies.md.
 
-/// Differences of two results: loads relative to the largest of an interface, the rest to itself.
+/// Differences of two results: loads relative to the largest of an interface, other values relative to themselves.
 struct Differences {
   double load = 0.0;
   double displacement = 0.0;
@@ -57,7 +57,7 @@ void expect_agreement(const LoadDistribution& solve, const LoadDistribution& stu
   EXPECT_LE(d.tangent, kAgreement) << what;
 }
 
-/// What a study makes of one design.
+/// Result of a study for one design.
 LoadDistribution study(const SectorCase& c, const Sector& sector, double force) {
   const SectorModel numbers = c.model();
   LoadDistribution result;
@@ -90,7 +90,7 @@ TEST(ExtremeDesigns, SoftRingsConverge) {
     }
 }
 
-/// Both contacts of a thread push the roller radially; the rings carry what they differ by.
+/// Both contacts of a thread push the roller radially; the rings carry the difference.
 TEST(ExtremeDesigns, SoftRingsCarryWhatTheFlankAnglesDifferBy) {
   SectorCase c = test::abevi();
   c.structure.roller.guidance = {Guidance::Kind::ring, 1e-6};
@@ -98,7 +98,7 @@ TEST(ExtremeDesigns, SoftRingsCarryWhatTheFlankAnglesDifferBy) {
   ASSERT_TRUE(r.solve.converged());
   const double screw = std::tan(c.laws.screw.normal_angle);
   const double nut = std::tan(c.laws.nut.normal_angle);
-  // The wedge between the flanks: F/4k (tan - tan)^2 per roller, all else is small beside it.
+  // The wedge between the flanks: F/4k (tan - tan)^2 per roller, other contributions are small.
   const double wedge = 45e3 / 11 / 4e-6 * (screw - nut) * (screw - nut);
   EXPECT_NEAR(r.axial_displacement / wedge, 1.0, 1e-7);
   EXPECT_NEAR(*r.tangent_stiffness / (45e3 / wedge), 1.0, 1e-7);

@@ -18,7 +18,7 @@ namespace {
 
 using test::SectorCase;
 
-/// As studies have them: nothing is worked out.
+/// Model as in studies: before `work_out`.
 SectorModel numbers_of(const SectorCase& c) {
   SectorModel s;
   set_sector_model(s, c.mechanism, c.structure, c.materials, c.options, c.laws, c.direction, c.position, c.deviations);
@@ -30,7 +30,7 @@ struct Refined {
   std::vector<double> forces;
   std::vector<SectorCase> cases;
 
-  /// Leaves out what has no place among the columns.
+  /// Adds a case unless it has no place among the columns.
   void add(SectorCase c, double force) {
     c.options.bodies = &kRefined;
     SectorModel s = numbers_of(c);
@@ -46,7 +46,7 @@ struct Refined {
   }
 };
 
-/// Random ones of 4 to 20 threads, some of them with nuts of one shape.
+/// Random designs of 4 to 20 threads, some of them with nuts of one shape.
 Refined random_designs(int count) {
   std::mt19937_64 random(31);
   Refined designs;
@@ -66,7 +66,7 @@ Refined random_designs(int count) {
 
 double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
-/// Largest difference of loads, of the largest load, displacement and tangent stiffness.
+/// Largest difference of loads, relative to the largest load, of displacement and of tangent stiffness.
 double difference(const LoadDistribution& a, const LoadDistribution& b) {
   double worst = std::max(std::abs(a.axial_displacement / b.axial_displacement - 1.0),
                           std::abs(*a.tangent_stiffness / *b.tangent_stiffness - 1.0));
@@ -77,9 +77,9 @@ double difference(const LoadDistribution& a, const LoadDistribution& b) {
   return worst;
 }
 
-/// What a solve gives: that of the chain, or of the sparse solver where rounding stops the chain.
-/// Columns that rounding stops are left to it too. On slender rollers Newton's tolerance can leave
-/// 1e-10 in a thread's load; elsewhere 1e-11 is kept.
+/// Result of a solve: by the chain, or by the sparse solver if rounding stops the chain. Columns that rounding stops
+/// are left to that solver too. On slender rollers Newton's tolerance can leave 1e-10 in a thread's load; elsewhere
+/// 1e-11 is required.
 TEST(RefinedDesigns, AgreeWithSolvesOneAfterTheOther) {
   const Refined designs = random_designs(test::count(300, 20'000));
   ASSERT_GT(designs.forces.size(), 100u);

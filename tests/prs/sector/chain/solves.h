@@ -24,7 +24,7 @@ inline std::vector<prs::InstructionSet> instruction_sets() {
   return sets;
 }
 
-/// As SectorSolver::solve, then further towards the rounding of its state.
+/// Solves like SectorSolver::solve, then continues towards the rounding of its state.
 inline prs::LoadDistribution sparse(const prs::Sector& sector, double force) {
   prs::SectorSolver solver(sector);
   const fe::Equations& equations = solver.equations();
@@ -74,7 +74,7 @@ inline void expect_same(const prs::LoadDistribution& expected, const prs::LoadDi
   EXPECT_NEAR(*r.tangent_stiffness / *expected.tangent_stiffness, 1.0, tangent) << what;
 }
 
-/// Bit for bit.
+/// Checks equality bit by bit.
 inline void expect_identical(const prs::LoadDistribution& a, const prs::LoadDistribution& b) {
   EXPECT_EQ(a.solve.status, b.solve.status);
   EXPECT_EQ(a.solve.iterations(), b.solve.iterations());
@@ -93,7 +93,7 @@ struct NamedCase {
   SectorCase sector;
 };
 
-/// What can stand where on Abevi's screw, and every option of the model.
+/// Special positions on Abevi's screw, and every option of the model.
 inline std::vector<NamedCase> special_cases() {
   using prs::Direction, prs::Guidance, prs::ModelOptions;
   std::vector<NamedCase> cases;
@@ -150,7 +150,7 @@ inline std::vector<NamedCase> special_cases() {
   return cases;
 }
 
-/// As refined bodies, each effect on or off.
+/// The case with refined bodies, each effect on or off.
 inline SectorCase refined(SectorCase c, std::mt19937_64& random) {
   using Contacts = prs::ModelOptions::RollerContacts;
   const auto mostly = [&] { return std::uniform_int_distribution(0, 3)(random) > 0; };
@@ -160,7 +160,7 @@ inline SectorCase refined(SectorCase c, std::mt19937_64& random) {
   return c;
 }
 
-/// Of a solver that has solved the same designs before.
+/// Checks a solver that has solved the same designs before.
 template <class Solver, class Designs>
 void expect_repeated_solves_allocate_nothing(const Designs& designs) {
   std::vector<prs::LoadDistribution> results(designs.forces.size());

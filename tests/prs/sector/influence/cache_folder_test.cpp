@@ -22,7 +22,7 @@ using test::content_of;
 
 class CacheFolderTest : public testing::Test {
  protected:
-  CacheFolderTest() : umask_(::umask(022)) {}  // Folders that tests make are for nobody else.
+  CacheFolderTest() : umask_(::umask(022)) {}  // Folders made by tests are not writable for others.
   ~CacheFolderTest() override { ::umask(umask_); }
 
   static std::string digest(char digit) { return std::string(64, digit); }
@@ -70,13 +70,13 @@ TEST_F(CacheFolderTest, APipeCountsAsAbsent) {
 }
 
 TEST_F(CacheFolderTest, WhatWasNotUsedForLongestGoesFirst) {
-  const CacheFolder small(path, 3 * 4096);  // Three of its files.
+  const CacheFolder small(path, 3 * 4096);  // Room for three of its files.
   for (const char digit : {'a', 'b', 'c'}) {
     small.write(digest(digit), std::string(30, digit));
-    // Long ago, in this order.
+    // Last used long ago, in this order.
     fs::last_write_time(file(digit), fs::file_time_type::clock::now() - std::chrono::hours(100 - (digit - 'a')));
   }
-  ASSERT_TRUE(small.read(digest('a')));  // Used now.
+  ASSERT_TRUE(small.read(digest('a')));  // The file is now used.
   write(path / "notes.txt", std::string(100'000, 'x'));
   small.write(digest('d'), std::string(30, 'd'));
   EXPECT_TRUE(fs::exists(file('a')));
@@ -89,7 +89,7 @@ TEST_F(CacheFolderTest, WhatWasNotUsedForLongestGoesFirst) {
   EXPECT_TRUE(fs::exists(file('a')));
 }
 
-TEST_F(CacheFolderTest, FilesFromTheFutureCountAsOthersDo) {  // The clock was set back.
+TEST_F(CacheFolderTest, FilesFromTheFutureCountAsOthersDo) {  // Same as if the clock was set back.
   const auto in_years = [](int years) { return fs::file_time_type::clock::now() + std::chrono::years(years); };
   const CacheFolder small(path, 2 * 4096);
   const fs::path left = file('c').string() + ".4711.0";
@@ -97,7 +97,7 @@ TEST_F(CacheFolderTest, FilesFromTheFutureCountAsOthersDo) {  // The clock was s
   write(left, "half");
   for (const fs::path& each : {file('a'), file('b'), left}) fs::last_write_time(each, in_years(60));
   EXPECT_EQ(small.read(digest('a')), "old");
-  EXPECT_LT(fs::last_write_time(file('a')), in_years(1));  // Used now: it ages as others do.
+  EXPECT_LT(fs::last_write_time(file('a')), in_years(1));  // The file is now used: it ages like others.
   small.write(digest('d'), "new");
   EXPECT_FALSE(fs::exists(left));
   EXPECT_FALSE(fs::exists(file('a')));

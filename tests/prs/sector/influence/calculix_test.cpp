@@ -1,4 +1,4 @@
-// Grooved bodies, harmonic 0 and single harmonics, against what CalculiX gives for the same bodies
+// Grooved bodies, harmonic 0 and single harmonics, compared with CalculiX for the same bodies
 // (validation/reference_fe/SOURCE.md): same teeth, loads, supports; another program, other meshes.
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ constexpr double kPitch = 5e-3 / 3;
 const fe::Isotropic kElasticSteel{209e9, 0.3};
 const HertzPatch kScrewPatch{0.22077e-3, 0.22077e-3}, kNutPatch{0.20285e-3, 0.20285e-3};
 
-/// Rows of numbers; m/N, the file has mm/N.
+/// Rows of numbers [m/N]; the file has mm/N.
 Eigen::MatrixXd reference(const std::string& name) {
   std::ifstream in(PRS_SOURCE_DIR "/validation/reference_fe/data/" + name);
   std::vector<std::vector<double>> rows;
@@ -92,7 +92,7 @@ Eigen::MatrixXd screw(FlankSide side, int split) {
   return kRollers * held_axially(body, nodes_of(body.section(0.0)));
 }
 
-/// `shoulder` is the radius up to which the face presses in the reference.
+/// `shoulder`: radius up to which the face presses in the reference.
 Eigen::MatrixXd nut(double position, double shoulder, int split) {
   const double first = position - 0.25 * kPitch;
   GroovedShape s;
@@ -109,7 +109,7 @@ Eigen::MatrixXd nut(double position, double shoulder, int split) {
   return kRollers * held_axially(body, held);
 }
 
-/// Under forces in balance, which do not feel where the roller is held axially.
+/// Response to forces in balance, which does not depend on where the roller is held axially.
 Eigen::MatrixXd balanced(const Eigen::MatrixXd& roller) {
   Eigen::VectorXd axial(2 * kTeeth);
   axial << Eigen::VectorXd::Ones(kTeeth), -Eigen::VectorXd::Ones(kTeeth);
@@ -144,7 +144,7 @@ TEST(CalculixBodies, AgreeOnOneMesh) {
   EXPECT_LT(largest_difference(roller(1), balanced(reference("roller_tension.csv"))), 4e-3);
 }
 
-/// Three meshes, cells halved twice, continued with the ratio of their changes.
+/// Three meshes, cells halved twice, extrapolated with the ratio of their changes.
 template <class Body>
 Eigen::MatrixXd limit(Body body) {
   const Eigen::MatrixXd coarse = body(1), middle = body(2), fine = body(4);
@@ -161,21 +161,21 @@ TEST(CalculixBodies, AgreeInTheLimit) {
   EXPECT_LT(
       largest_difference(limit([](int n) { return screw(FlankSide::forward, n); }), reference("screw_compression.csv")),
       3e-5);
-  // The ends of the shoulder, where the support stops, hold both back: order 0.7 to 0.9.
+  // The ends of the shoulder, where the support stops, slow the convergence of both: order 0.7 to 0.9.
   EXPECT_LT(largest_difference(limit([](int n) { return nut(175e-3 / 6, 25.03e-3, n); }), reference("nut_config2.csv")),
             3e-4);
   EXPECT_LT(largest_difference(limit([](int n) { return roller(n); }), balanced(reference("roller_tension.csv"))),
             5e-4);
 }
 
-/// One body of the single harmonics: its teeth with what is loaded on each.
+/// One body of the single harmonics: its teeth and the loads on each.
 struct Block {
   Groove groove;
   double far_radius = 0.0;
   std::vector<LoadedFlank> flanks;
 };
 
-/// A line load without the Bessel factor of an ellipse: as narrow around the axis as can be.
+/// A line load without the Bessel factor of an ellipse: as narrow around the axis as possible.
 LoadedFlank line(FlankSide side, double along_profile) { return {0.0, side, {along_profile, 1e-9}, 12}; }
 
 Block block(const std::string& body) {

@@ -16,8 +16,8 @@ using fe::Dof;
 using test::abevi;
 using test::SectorCase;
 
-/// Flexibility of the bar model at its contacts, and its rigid motions: the loaded section of the
-/// screw and one section of the roller are held axially, everything else follows from the model.
+/// Flexibility of the bar model at its contacts, and its rigid motions: the loaded section of the screw and one section
+/// of the roller are held axially, all else follows from the model.
 Eigen::MatrixXd bar_flexibility(const Sector& sector) {
   fe::Model model = sector.model;
   model.fixed_supports.push_back({sector.loaded_node, Dof::u});

@@ -19,7 +19,7 @@ using std::numbers::pi;
 using test::abevi;
 using test::SectorCase;
 
-/// With flank normals at 45 deg.
+/// Short screw with flank normals at 45 deg.
 SectorCase short_screw_at_45_deg() {
   SectorCase c = test::short_screw();
   for (const Interface i : kInterfaces) c.laws[i].normal_angle = pi / 4.0;
@@ -148,7 +148,7 @@ TEST(Flexibility, SizeOfThePatchDropsOut) {
   EXPECT_LT(std::abs(small.matrix(1, 2) - full.matrix(1, 2)), 2e-3 * full.half_space);
 }
 
-/// Against a mesh three times as fine, computed here: 0.5 % in stiffness, 0.1 % of the sector load.
+/// Comparison with a mesh three times as fine, computed here: 0.5 % in stiffness, 0.1 % of the sector load.
 TEST(Flexibility, DefaultsHaveWorkingAccuracy) {
   if (test::count(0, 1) == 0) GTEST_SKIP() << "only in the thorough run";
   const SectorCase c = abevi();  // CONFIG 2, tension
@@ -178,7 +178,7 @@ TEST(Flexibility, GuidanceRingOfGreatStiffnessHoldsLikeASupport) {
   const Flexibility ring = roller_flexibility(geometry(c), c.direction, test::coarse_bodies());
   c.structure.roller.guidance = {Guidance::Kind::outer_node, 0.0};
   const Flexibility outer = roller_flexibility(geometry(c), c.direction, test::coarse_bodies());
-  // Sections stay round under a support, and not on a ring, which holds their mean.
+  // Sections stay round under a support, but not on a ring, which holds their mean.
   EXPECT_LT((ring.matrix - held.matrix).norm(), 0.05 * held.matrix.norm());
   EXPECT_GT((outer.matrix - held.matrix).norm(), 0.1 * held.matrix.norm());
 }

@@ -94,7 +94,7 @@ TEST(InfluenceSolver, MirroredScrewGivesMirroredLoads) {
   const double psi = c.laws.screw.normal_angle;
   c.laws.nut.normal_angle = psi;
   c.mechanism.contacts_per_roller = 6;
-  // The screw's bars and bodies are not symmetric; nut and roller are: take the screw away.
+  // The screw's bars and bodies are not symmetric; nut and roller are: the screw is removed.
   const auto without_screw = [&](Direction d) {
     c.direction = d;
     BodyFlexibilities b = bodies(c);
@@ -137,7 +137,7 @@ TEST(InfluenceSolver, OneThreadLeftIsAChainOfCompliances) {
   const double expected = (approach.screw + 3e-10 * load.screw + elastic[k]) / std::cos(c.laws.screw.normal_angle) +
                           (approach.nut + elastic[6 + k]) / std::cos(c.laws.nut.normal_angle);
   EXPECT_NEAR(d.axial_displacement / expected, 1.0, 2e-3);
-  // Held both ways nothing but the chain is left.
+  // Held in both senses only the chain is left.
   BodyFlexibilities held = b;
   held.nut.face.reset();
   EXPECT_NEAR(InfluenceSolver(held, 11, c.laws, open).solve(force).axial_displacement / expected, 1.0, 1e-11);
@@ -167,7 +167,7 @@ TEST(InfluenceSolver, BodiesAreWorkedOutOnce) {
   EXPECT_EQ(once, 7);  // screw, nut, roller twice, and three sets of teeth
   bodies(c, cache);
   EXPECT_EQ(cache.computed(), once);
-  for (const Part p : kParts) c.materials[p].density = 7800.0;  // neither weight nor inertia acts
+  for (const Part p : kParts) c.materials[p].density = 7800.0;  // neither weight nor inertia matters
   bodies(c, cache);
   EXPECT_EQ(cache.computed(), once);
   c.structure.roller.guidance.kind = Guidance::Kind::outer_node;

@@ -63,7 +63,7 @@ TEST(ThrustFace, NodesThatWouldPullAreLetGo) {
   const Eigen::VectorXd load = Eigen::VectorXd::Constant(1, 100.0);
   const ThrustFace::Touching touching = *f.touching_under(load, f.all());
   EXPECT_EQ(touching, ThrustFace::Touching{4});
-  // From any guess, and either way.
+  // Found from any guess, in both senses.
   EXPECT_EQ(f.touching_under(load, {0}), touching);
   EXPECT_EQ(f.touching_under(-load, {0, 2}), touching);
 }

@@ -110,7 +110,7 @@ TEST(Refined, EachEffectAloneHasItsSign) {
 }
 
 TEST(Refined, PoissonInTheScrewIsAnOffset) {
-  // Without hoop there is nothing in the nut to couple with.
+  // Without hoop the nut has nothing to couple with.
   RefinedEffects poisson = kNone;
   poisson.poisson = true;
   for (const SectorCase& c : six_cases()) {
@@ -126,8 +126,8 @@ TEST(Refined, PoissonInTheScrewIsAnOffset) {
 }
 
 TEST(Refined, PoissonOffsetIsThatOfCoupledDiscreteLoads) {
-  // Axial and radial loads of a bar that shrinks by nu times its strain, load by load: half of a
-  // section's own force reaches it.
+  // Axial and radial loads of a bar that shrinks by nu times its strain, load by load: half of a section's own force
+  // acts on it.
   const double r = 10e-3, area = pi * r * r / 7.0, e = 209e9, nu = 0.3, psi = 0.7;
   const std::vector<double> n{300.0, 260.0, 250.0, 120.0, 310.0};
   double behind = 0.0, energy = 0.0;
@@ -434,7 +434,7 @@ double exact_band_share(double x, double nu) {
   return 0.5 + sum / pi;
 }
 
-/// Shares left at contacts of a band of pressure that ends half a pitch beyond them.
+/// Shares at contacts of a band of pressure that ends half a pitch beyond them.
 std::vector<double> band_shares(int contacts, double pitch, double radius, double nu) {
   const double decay = band_decay(radius, 0.0, nu);
   std::vector<double> shares;
@@ -448,7 +448,7 @@ TEST(LocalCompliance, EndsOfABandTakeTheirShareAway) {
   const std::vector<double> shares = band_shares(60, p, r, 0.3);
   for (std::size_t k = 0; k < 30; ++k) EXPECT_NEAR(shares[k], shares[59 - k], 1e-14);
   EXPECT_NEAR(shares[30], 1.0, 1e-4);
-  // The short waves at the very end are those of a half-plane, which the foundation makes softer.
+  // The short waves at the very end are those of a half-plane, which the foundation approximates as softer.
   for (const std::size_t k : {0u, 1u, 2u, 4u, 7u})
     EXPECT_NEAR(shares[k], exact_band_share((static_cast<double>(k) + 0.5) * p / r, 0.3), 0.11);
   // Two bands that meet are one.
@@ -481,9 +481,9 @@ TEST(NutShell, CentreOfPressureOfATiltedFace) {
   EXPECT_NEAR(centre(limit), 0.25 * w, 1e-15);
   EXPECT_NEAR(centre(limit * (1.0 + 1e-9)), centre(limit), 1e-9 * w);
   EXPECT_NEAR(centre(-3.0 * limit), w - centre(3.0 * limit), 1e-15);
-  // Pressure A sqrt((b - x)/x), A = E* theta/2, on the zone b at three times the least tilt, by
-  // Gauss's nodes for the weight sqrt((1 - t)/(1 + t)), x = b (1 + t)/2, and between them the slope
-  // 2/(pi E*) int p/(y - x) dy of the half-plane, which has to be the tilt.
+  // Pressure A sqrt((b - x)/x), A = E* theta/2, on the zone b at three times the smallest tilt, by Gauss's nodes for
+  // the weight sqrt((1 - t)/(1 + t)), x = b (1 + t)/2, and between them the slope 2/(pi E*) int p/(y - x) dy of the
+  // half-plane, which must equal the tilt.
   const double tilt = 3.0 * limit, b = 4.0 * centre(tilt), amplitude = 0.5 * modulus * tilt;
   const int n = 40;
   const double step = pi / (2 * n + 1);
