@@ -19,7 +19,7 @@ using Contacts = prs::ModelOptions::RollerContacts;
 
 test::SectorCase refined(Contacts contacts = Contacts::opposite) {
   test::SectorCase c = test::abevi();
-  c.options.bodies = prs::ModelOptions::Bodies::refined;
+  c.options.bodies = &prs::kRefined;
   c.options.roller_contacts = contacts;
   return c;
 }

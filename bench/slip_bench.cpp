@@ -70,7 +70,7 @@ void FrictionOfOnePatch(benchmark::State& state) {
 }
 BENCHMARK(FrictionOfOnePatch);
 
-/// The same number of asinh at the same width and nothing else: the minimum time of the friction.
+/// Equally many asinh at the same width and nothing else: the minimum time of the friction.
 void AsinhOfOnePatch(benchmark::State& state) {
   std::vector<double> x(352);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1e3 * static_cast<double>(i);

@@ -13,7 +13,8 @@ struct LubricantOf {
   Real viscosity{};                ///< eta_0, dynamic, at ambient pressure [Pa s]
   Real pressure_viscosity{};       ///< alpha, at ambient pressure [1/Pa]
   Real eyring_stress{};            ///< tau_0, shear stress where thinning begins [Pa]
-  Real temperature_coefficient{};  ///< beta = -(d eta_0/dT)/eta_0 [1/K]; 0 where not known.
+  Real temperature_coefficient{};  ///< beta = -(d eta_0/dT)/eta_0 [1/K]; 0 if not known.
+  Real temperature{};              ///< [K]; NaN where not known.
 };
 using Lubricant = LubricantOf<double>;
 
@@ -33,17 +34,17 @@ Real roelands_viscosity_ratio(double viscosity, const Real& pressure) {
   return exp((std::log(viscosity) + 9.67) * expm1(kExponent * log1p(pressure / kPressure)));
 }
 
-/// Formulas for numbers, batches with one contact per lane, and either with a slope along the
-/// rolling speed: `Number` is that of what follows the speed.
+/// Formulas for numbers, batches with one contact per lane, and either with a slope along the rolling speed: `Number`
+/// is the type of values that depend on the speed.
 
-/// Which way a contact is taken to roll for its central film: along the minor axis of its ellipse,
-/// or as it does.
+/// Assumed direction of rolling of a contact for its central film: along the minor axis of its ellipse, or the real
+/// one.
 enum class FilmDirection : std::int64_t { minor_axis, rolling };
 
-/// What thins a film besides load and speed.
+/// Effects that thin a film besides load and speed.
 template <class Real>
 struct FilmThinningOf {
-  Real starvation = 1.0;  ///< phi_s, of an inlet that is not full.
+  Real starvation = 1.0;  ///< phi_s, for a starved inlet.
   Real conductivity{};    ///< k of the oil [W/(m K)]; 0: the inlet stays cold.
 };
 using FilmThinning = FilmThinningOf<double>;
@@ -55,7 +56,7 @@ struct FilmContactOf {
   Real curvature{};            ///< rho_x, the larger relative curvature [1/m]
   Real contact_modulus{};      ///< E* [Pa]; the E' of the formulas is 2 E* (Sandu's 2/Sigma).
   Real curvature_ratio = 1.0;  ///< lambda, smaller over larger relative curvature, above 0 to 1.
-  simd::EnumOf<FilmDirection, Real> direction = FilmDirection::minor_axis;  ///< Direction that `central_film` takes.
+  simd::EnumOf<FilmDirection, Real> direction = FilmDirection::minor_axis;  ///< Direction for `central_film`.
   FilmThinningOf<Real> thinning{};
 
   Real film_modulus() const { return 2.0 * contact_modulus; }  ///< E' [Pa]
@@ -115,8 +116,8 @@ Number film_thickness(const Number& parameter, const Number& speed_number, const
 /// above the full fit at Sandu's reference example. All zero without rolling.
 Film sandu_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed);
 
-/// Film parameters H where one regime rules (Nijenbanning, Venner, Moes, Wear 176 (1994) 217), with
-/// lambda the ratio of the relative curvatures, k = 1 + 0.006 ln lambda + 0.63 lambda^(4/7):
+/// Film parameters H in each regime (Nijenbanning, Venner, Moes, Wear 176 (1994) 217), with lambda the ratio of the
+/// relative curvatures, k = 1 + 0.006 ln lambda + 0.63 lambda^(4/7):
 ///
 ///     H_RI = 145 (1 + 0.796 lambda^(14/15))^(-15/7) lambda^-1 M^-2     rigid, isoviscous
 ///     H_EI = 3.18 k^(-14/25) lambda^(-1/15) M^(-2/15)                  elastic, isoviscous
@@ -143,8 +144,8 @@ FilmRegimesOf<Number> film_regimes(const MoesNumbersOf<Number>& moes, const Real
           1.80 * to(ratio, -5.0 / 7.0)};
 }
 
-/// (a^p + b^p)^(1/p) of a, b >= 0 for a p of either sign, without powers of large numbers: what
-/// rules is taken out, the larger one where p > 0, the smaller one where p < 0.
+/// (a^p + b^p)^(1/p) for a, b >= 0 and a p of either sign, without powers of large numbers: the dominant one is
+/// factored out, the larger one for p > 0, the smaller one for p < 0.
 template <class Number, class Power>
 Number power_sum(const Number& a, const Number& b, const Power& p) {
   using simd::power, simd::select, simd::value;
@@ -194,10 +195,9 @@ RollingCurvatures<Number> rolling_curvatures(const FilmContactOf<Real>& contact,
 /// Radius of the relative curvature across the rolling over that along it, R_s/R_e.
 double rolling_radius_ratio(const FilmContact& contact, double along_major);
 
-/// Range of R_s/R_e in which `chittenden_film` is taken without a warning. At its upper end
-/// ellipses are 8 times as long as wide, as in the solutions of Hamrock and Dowson (J. Lubr.
-/// Technol. 99 (1977) 264) that it goes on from; at its lower end side leakage takes three quarters
-/// of the film.
+/// Range of R_s/R_e in which `chittenden_film` gives no warning. At its upper end ellipses are 8 times as long as wide,
+/// as in the solutions of Hamrock and Dowson (J. Lubr. Technol. 99 (1977) 264) that it extends; at its lower end side
+/// leakage removes three quarters of the film.
 inline constexpr double kLeastRollingRatio = 0.1, kGreatestRollingRatio = 25.0;
 
 /// Central film [m] at any angle between rolling and the axes of the ellipse (Chittenden, Dowson,
@@ -211,7 +211,7 @@ inline constexpr double kLeastRollingRatio = 0.1, kGreatestRollingRatio = 25.0;
 double chittenden_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
                        double along_major);
 
-/// The same without a check; `rolling_speed` > 0.
+/// `chittenden_film` without a check; `rolling_speed` > 0.
 template <class Number, class Real>
 Number chittenden_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
                             const Number& rolling_speed, const Number& along_major) {
@@ -225,10 +225,10 @@ Number chittenden_thickness(const LubricantOf<Real>& lubricant, const FilmContac
          power(w, Real(-0.073)) * (1.0 - exp(Number(-1.23 * ratio))) / rho.along;
 }
 
-/// The film by the direction that the contact has: `nijenbanning_film` or `chittenden_film` [m].
+/// Film for the direction of the contact: `nijenbanning_film` or `chittenden_film` [m].
 double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed, double along_major);
 
-/// The same without a check; `rolling_speed` > 0.
+/// `central_film` without a check; `rolling_speed` > 0.
 template <class Number, class Real>
 Number central_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
                          const MoesNumbersOf<Number>& moes, const Number& rolling_speed, const Number& along_major) {
@@ -283,7 +283,7 @@ Number boundary_share(const Number& film_ratio, const Real& exponent) {
 /// with Sandu's film. Zero without rolling, where the no-slip contact does not slide either.
 double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film, double rolling_speed);
 
-/// The same for the film parameter H_c; `rolling_speed` > 0.
+/// `sliding_factor` for the film parameter H_c; `rolling_speed` > 0.
 template <class Number, class Real>
 Number sliding_factor_of(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
                          const Number& parameter, const Number& rolling_speed) {
@@ -304,7 +304,7 @@ struct WaltherLine {
   double slope = 0.0;      ///< B, > 0
 };
 
-/// Between these, both excluded, the line may pass through a point and be evaluated [m^2/s].
+/// Bounds, both excluded, within which the line may pass through a point and be evaluated [m^2/s].
 inline constexpr double kLeastKinematicViscosity = 0.3e-6;
 inline constexpr double kGreatestKinematicViscosity = 20.0;
 
@@ -330,7 +330,7 @@ double kinematic_viscosity(const WaltherLine& line, double temperature);
 ///     beta = slope/T (1 + 0.7 mm^2/s/nu) ln(nu/(mm^2/s) + 0.7).
 double temperature_coefficient(const WaltherLine& line, double temperature);
 
-/// What an oil is made of, as far as its viscosity under pressure depends on it.
+/// Kind of an oil, as far as its viscosity under pressure depends on it.
 enum class BaseOil { mineral, polyalphaolefin, ester };
 
 /// Estimate of the pressure-viscosity coefficient [1/Pa] from the kinematic viscosity at the same

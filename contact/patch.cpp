@@ -66,21 +66,6 @@ void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_p
   simd::run_kernel(simd::InstructionSet::best, ViscosityKernel{}, viscosity, ratio, size, ratio);
 }
 
-FrictionLaw coulomb_friction(double coefficient) { return {.coefficient = coefficient}; }
-
-FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film) {
-  return {.kind = FrictionKind::film, .oil = lubricant, .film = film};
-}
-
-FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film, const TouchingFlanks& touching) {
-  FrictionLaw law = film_friction(lubricant, film);
-  law.kind = FrictionKind::mixed;
-  law.coefficient = touching.friction;
-  law.exponent = touching.exponent;
-  law.roughness = touching.roughness;
-  return law;
-}
-
 Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionLaw& law)
     : grid_(&grid), ellipse_(ellipse), law_(law) {
   if (!law.has_film()) return;
@@ -94,9 +79,9 @@ Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionL
 template <class Number>
 PatchFrictionOf<Number> Patch::friction(const PatchMotionOf<Number>& motion) const {
   const double a = ellipse_.semi_major, b = ellipse_.semi_minor;
-  const auto sums = simd::run_kernel(simd::InstructionSet::best, PatchKernel{}, grid_->points(),
-                                     sliding_field(motion, a, b), law_at(law_, ellipse_.peak_pressure, motion),
-                                     law_.has_film() ? viscosity_ratio_.data() : nullptr);
+  const auto sums =
+      simd::run_kernel(simd::InstructionSet::best, PatchKernel{}, grid_->points(), sliding_field(motion, a, b), law_,
+                       rolling_contact(law_, ellipse_.peak_pressure, motion), viscosity_ratio_.data());
   return patch_friction(sums, grid_->cell_load(), static_cast<double>(grid_->inside()), a, b);
 }
 template PatchFriction Patch::friction(const PatchMotion&) const;
@@ -111,11 +96,16 @@ Eigen::ArrayXd Patch::sliding_minor(const PatchMotion& motion) const {
 }
 
 Eigen::ArrayXd Patch::friction_coefficient(const PatchMotion& motion) const {
-  const PatchLawOf<double> at = law_at(law_, ellipse_.peak_pressure, motion);
-  if (!law_.has_film()) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
   const Eigen::ArrayXd speed = (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
-  return at.coefficient +
-         at.scale * (viscosity_ratio_.head(grid_->inside()) * (at.factor * speed)).asinh() / grid_->dome();
+  Eigen::ArrayXd coefficient(grid_->inside());
+  law_.visit([&](const auto& law, bool) {
+    const auto friction = law.in(rolling_contact(law_, ellipse_.peak_pressure, motion));
+    for (Eigen::Index k = 0; k < coefficient.size(); ++k) {
+      const double dome = grid_->dome()[k];
+      coefficient[k] = friction({speed[k], dome, law.facts.has_film() ? viscosity_ratio_[k] : 0.0}) / dome;
+    }
+  });
+  return coefficient;
 }
 
 double surface_rise(const HertzContact& ellipse, const HeatedBody& body, double power) {

@@ -21,12 +21,12 @@ class PatchGrid {
   auto along_major() const { return along_major_.head(inside_); }  ///< t_1D/a
   auto along_minor() const { return along_minor_.head(inside_); }  ///< t_2D/b
   auto dome() const { return dome_.head(inside_); }                ///< sqrt(1 - (t_1D/a)^2 - (t_2D/b)^2), > 0
-  /// The different values of `dome`, filled up for batches, and which of them each point has.
+  /// Different values of `dome`, padded for batches, and the index of each point's value.
   const Eigen::ArrayXd& domes() const { return domes_; }
   std::span<const std::uint32_t> dome_of_point() const { return dome_of_point_; }
   /// Load on a cell over the normal load and the dome: p_0 4 a b/(n^2 N) = 6/(pi n^2) (3.7).
   double cell_load() const { return cell_load_; }
-  /// Includes the points that fill up the last batch.
+  /// Points including those that fill the last batch.
   PatchPoints points() const;
 
  private:
@@ -40,27 +40,11 @@ class PatchGrid {
 using PatchMotion = PatchMotionOf<double>;
 using PatchFriction = PatchFrictionOf<double>;
 
-/// Flanks that touch through a thin film.
-struct TouchingFlanks {
-  double friction = 0.0;   ///< Coefficient without film.
-  double exponent = 2.0;   ///< Exponent of `boundary_share`.
-  double roughness = 0.0;  ///< Composite Rq [m], > 0
-};
-
-/// eta_bar of a lubricant at each of the different domes of a grid, under a peak pressure [Pa]:
-/// `ratio` has room for all `domes`.
+/// eta_bar of a lubricant at each of the different domes of a grid, under a peak pressure [Pa]: `ratio` has space for
+/// all `domes`.
 void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure, double* ratio);
 
-FrictionLaw coulomb_friction(double coefficient);
-/// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
-/// *static* load, Sandu's film of the whole contact, thinned by `film_factor`.
-FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film_contact);
-/// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
-/// mu_film Jacod's, s the `boundary_share` of the whole contact by the central film,
-/// thinned as well. Jacod's for thick films, Coulomb's without film or entrainment.
-FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact, const TouchingFlanks& touching);
-
-/// One contact ellipse with its law of friction: what is constant while the slip ratio is sought.
+/// One contact ellipse with its law of friction: the data that stay constant while the slip ratio is searched.
 class Patch {
  public:
   Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionLaw& law);
@@ -74,7 +58,7 @@ class Patch {
   template <class Number = double>
   PatchFrictionOf<Number> friction(const PatchMotionOf<Number>& motion) const;
 
-  // At every point inside:
+  // Values at every point inside:
   Eigen::ArrayXd sliding_major(const PatchMotion& motion) const;         ///< v_D . t_1 [m/s]
   Eigen::ArrayXd sliding_minor(const PatchMotion& motion) const;         ///< v_D . t_2 [m/s]
   Eigen::ArrayXd friction_coefficient(const PatchMotion& motion) const;  ///< mu_D
@@ -83,10 +67,10 @@ class Patch {
   const PatchGrid* grid_;
   HertzContact ellipse_;
   FrictionLaw law_;
-  Eigen::ArrayXd viscosity_ratio_;  ///< eta_bar at the points; empty with Coulomb.
+  Eigen::ArrayXd viscosity_ratio_;  ///< eta_bar at the points; empty without film.
 };
 
-/// A body under a contact, and how the contact moves over it in the tangent plane.
+/// A body under a contact, and the motion of the contact over it in the tangent plane.
 struct HeatedBody {
   double conductivity = 0.0;   ///< k [W/(m K)]
   double density = 0.0;        ///< [kg/m^3]

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "contact/film.h"
+#include "contact/friction_laws.h"
 
 /// Friction on a contact patch: formulas for numbers, for batches with one contact or one point per
 /// lane, and for either with its slope along one variable, the slip ratio.
 namespace contact {
 
-/// How one body slides on the other in the tangent plane of a contact (Sandu 2018, (2.22)).
+/// Sliding of one body on the other in the tangent plane of a contact (Sandu 2018, (2.22)).
 template <class Number>
 struct PatchMotionOf {
   Number sliding_major{};  ///< v_M . t_1 at the centre [m/s]
@@ -26,23 +26,15 @@ struct PatchFrictionOf {
   Number spin_arm{};              ///< C/N, moment about the centre along t_1 x t_2 [m] (3.10)
   Real power_per_load{};          ///< Lost power over N [m/s] (3.51)
   Real mean_friction{};           ///< mu_a over the points inside (2.40)
-  Real max_sliding_speed{};       ///< Over the points [m/s]
+  Real max_sliding_speed{};       ///< Largest value over the points [m/s].
   Real sliding_under_pressure{};  ///< Integral of pressure times sliding speed over N [m/s]
 };
 
 /// Sliding velocity at (x, y): (major - spin_minor y, minor + spin_major x) [m/s].
 template <class Number>
 struct SlidingFieldOf {
-  Number major{}, minor{};            ///< At the centre.
+  Number major{}, minor{};            ///< Velocity at the centre.
   Number spin_major{}, spin_minor{};  ///< Spin times semi-axis.
-};
-
-/// mu_D dome at a point: coefficient dome + scale asinh(factor viscosity_ratio |v|).
-template <class Number>
-struct PatchLawOf {
-  Number coefficient{};  ///< Friction coefficient where flanks touch.
-  Number scale{};        ///< tau_0/p_0
-  Number factor{};       ///< K [s/m]
 };
 
 /// Sums over the points. With slopes, those that a balance needs alone.
@@ -68,9 +60,10 @@ struct PatchPoint {
   Real x, y;
   Real dome;          ///< sqrt(1 - x^2 - y^2)
   Real inverse_dome;  ///< 1/dome
+  Real viscosity_ratio{};
 };
 
-/// `friction_at(speed)` is mu dome.
+/// `friction_at`: mu dome of a `FrictionPointOf`.
 template <class Number, class Real, class Friction>
 [[gnu::always_inline]] inline void add_point(PatchSumsOf<Number>& sums, const SlidingFieldOf<Number>& sliding,
                                              const PatchPoint<Real>& at, Friction friction_at) {
@@ -78,7 +71,7 @@ template <class Number, class Real, class Friction>
   const Number v_1 = sliding.major - sliding.spin_minor * at.y;
   const Number v_2 = sliding.minor + sliding.spin_major * at.x;
   const Number speed = simd::length(v_1, v_2);
-  const Number friction = friction_at(speed);
+  const Number friction = friction_at(FrictionPointOf<Number>{speed, at.dome, at.viscosity_ratio});
   const Number along = select(value(speed) >= Real(kNoDirection), Number(friction * (1.0 / speed)), Number(Real(0.0)));
   const Number friction_1 = along * v_1, friction_2 = along * v_2;
   sums.traction_major += friction_1;
@@ -113,45 +106,26 @@ SlidingFieldOf<Number> sliding_field(const PatchMotionOf<Number>& motion, const 
   return {motion.sliding_major, motion.sliding_minor, motion.spin * semi_major, motion.spin * semi_minor};
 }
 
-/// Coulomb's law; Jacod's, of a film; or a film through which flanks touch.
-enum class FrictionKind : std::int64_t { coulomb, film, mixed };
-
-/// The law of friction of a contact, see `Patch`.
-template <class Real>
-struct FrictionLawOf {
-  simd::EnumOf<FrictionKind, Real> kind = FrictionKind::coulomb;
-  Real coefficient{};            ///< Coulomb's, or that of flanks that touch.
-  Real exponent{}, roughness{};  ///< Exponent and roughness of flanks that touch.
-  LubricantOf<Real> oil{};
-  FilmContactOf<Real> film{};
-
-  simd::Lanes<Real> has_film() const { return !(kind == FrictionKind::coulomb); }
-};
-using FrictionLaw = FrictionLawOf<double>;
-
-/// The law while the contact rolls so. Without rolling, flanks that touch carry all.
+/// The contact of a law while it rolls so.
 template <class Number, class Real>
-PatchLawOf<Number> law_at(const FrictionLawOf<Real>& law, const Real& peak_pressure,
-                          const PatchMotionOf<Number>& motion) {
+RollingContactOf<Number> rolling_contact(const FrictionLawOf<Real>& law, const Real& peak_pressure,
+                                         const PatchMotionOf<Number>& motion) {
   using simd::any, simd::select, simd::value;
   const Number none(Real(0.0)), &rolling_speed = motion.rolling_speed;
-  PatchLawOf<Number> at{Number(law.coefficient), none, none};
+  RollingContactOf<Number> at{peak_pressure, law.oil.temperature, none, none, none};
   const auto has_film = law.has_film();
   if (!any(has_film)) return at;
-  const auto rolls = value(rolling_speed) > Real(0.0);
+  const auto rolls = has_film && value(rolling_speed) > Real(0.0);
   const MoesNumbersOf<Number> moes = moes_numbers(law.oil, law.film, rolling_speed);
   const Number thinned = film_factor(law.oil, law.film, peak_pressure, rolling_speed,
                                      simd::length(motion.sliding_major, motion.sliding_minor));
-  at.factor =
-      select(has_film && rolls,
-             sliding_factor_of(law.oil, law.film, Number(thinned * sandu_parameter(moes)), rolling_speed), none);
-  at.scale = Number(select(has_film, Real(law.oil.eyring_stress / peak_pressure), Real(0.0)));
-  const auto touches = law.kind == FrictionKind::mixed;
+  at.shear_factor =
+      select(rolls, sliding_factor_of(law.oil, law.film, Number(thinned * sandu_parameter(moes)), rolling_speed), none);
+  at.eyring_stress = Number(select(has_film, Real(law.oil.eyring_stress / peak_pressure), Real(0.0)));
+  const auto touches = law.is(Lubrication::mixed);
   if (!any(touches)) return at;
   const Number film = thinned * central_thickness(law.oil, law.film, moes, rolling_speed, motion.along_major);
-  const Number share = select(rolls, boundary_share(Number(film / law.roughness), law.exponent), Number(Real(1.0)));
-  at.coefficient = select(touches, share * law.coefficient, at.coefficient);
-  at.scale = select(touches, at.scale * (1.0 - share), at.scale);
+  at.film_ratio = select(rolls && touches, Number(film / law.roughness), none);
   return at;
 }
 

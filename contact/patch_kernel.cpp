@@ -5,14 +5,13 @@
 namespace contact {
 namespace {
 
-/// The same number in each lane.
-template <class Batch>
-Batch spread(double x) {
-  return Batch(x);
-}
-template <class Batch>
-simd::Dual<Batch> spread(const simd::Dual<double>& x) {
-  return {Batch(x.value), Batch(x.slope)};
+template <class Batch, class Number>
+using WideOf = std::conditional_t<std::is_same_v<Number, double>, Batch, simd::Dual<Batch>>;
+
+/// The same numbers in each lane.
+template <class Batch, template <class> class Of, class Number>
+[[gnu::always_inline]] inline Of<WideOf<Batch, Number>> spread(const Of<Number>& one) {
+  return simd::in_all_lanes<Of<WideOf<Batch, Number>>, Batch>(one);
 }
 
 /// Sum of the numbers of a batch: `hadd` of xsimd 8, `reduce_add` since.
@@ -28,19 +27,18 @@ simd::Dual<double> sum_of(const simd::Dual<Batch>& x) {
   return {sum_of(x.value), sum_of(x.slope)};
 }
 
-template <class Batch, class Number, class Friction>
-PatchSumsOf<Number> sums(const PatchPoints& points, const SlidingFieldOf<Number>& sliding, Friction friction_at) {
-  using Wide = decltype(spread<Batch>(Number()));
-  const SlidingFieldOf<Wide> field{spread<Batch>(sliding.major), spread<Batch>(sliding.minor),
-                                   spread<Batch>(sliding.spin_major), spread<Batch>(sliding.spin_minor)};
-  PatchSumsOf<Wide> wide;
+template <class Batch, class Law, class Number>
+PatchSumsOf<Number> sums(const PatchPoints& points, const SlidingFieldOf<Number>& sliding, const Law& law,
+                         const RollingContactOf<Number>& contact, const double* viscosity_ratio) {
+  const auto field = spread<Batch>(sliding);
+  const auto friction = spread<Batch>(law).in(spread<Batch>(contact));
+  PatchSumsOf<WideOf<Batch, Number>> wide;
   for (std::size_t i = 0; i < points.size; i += Batch::size) {
     const auto load = [i](const double* values) { return Batch::load_unaligned(values + i); };
-    const PatchPoint<Batch> at{load(points.along_major), load(points.along_minor), load(points.dome),
-                               load(points.inverse_dome)};
-    add_point(
-        wide, field,
-        at, [&](const Wide& speed) __attribute__((always_inline)) { return friction_at(i, at.dome, speed); });
+    PatchPoint<Batch> at{load(points.along_major), load(points.along_minor), load(points.dome),
+                         load(points.inverse_dome)};
+    if constexpr (Law::facts.has_film()) at.viscosity_ratio = load(viscosity_ratio);
+    add_point(wide, field, at, friction);
   }
   double max_speed = 0.0;
   for (std::size_t k = 0; k < Batch::size; ++k)
@@ -54,24 +52,13 @@ PatchSumsOf<Number> sums(const PatchPoints& points, const SlidingFieldOf<Number>
 
 template <class Arch, class Number>
 PatchSumsOf<Number> PatchKernel::operator()(Arch, const PatchPoints& points, const SlidingFieldOf<Number>& sliding,
-                                            const PatchLawOf<Number>& law, const double* viscosity_ratio) const {
-  using Batch = xsimd::batch<double, Arch>;
-  using Wide = decltype(spread<Batch>(Number()));
-  const Wide coefficient = spread<Batch>(law.coefficient), scale = spread<Batch>(law.scale),
-             factor = spread<Batch>(law.factor);
-  const auto coulomb = [&](std::size_t, const Batch& dome, const Wide&) __attribute__((always_inline)) {
-    return coefficient * dome;
-  };
-  if (!viscosity_ratio) return sums<Batch>(points, sliding, coulomb);
-  const auto film = [&](std::size_t i, const Batch&, const Wide& speed) __attribute__((always_inline)) {
-    const Batch ratio = Batch::load_unaligned(viscosity_ratio + i);
-    return scale * simd::asinh_of_positive(Wide(factor * ratio * speed));
-  };
-  if (simd::value(law.coefficient) == 0.0) return sums<Batch>(points, sliding, film);
-  return sums<Batch>(
-      points, sliding, [&](std::size_t i, const Batch& dome, const Wide& speed) __attribute__((always_inline)) {
-        return coefficient * dome + film(i, dome, speed);
-      });
+                                            const FrictionLaw& law, const RollingContactOf<Number>& contact,
+                                            const double* viscosity_ratio) const {
+  PatchSumsOf<Number> found;
+  law.visit([&](const auto& one, bool) {
+    found = sums<xsimd::batch<double, Arch>>(points, sliding, one, contact, viscosity_ratio);
+  });
+  return found;
 }
 
 template <class Arch>
@@ -83,10 +70,11 @@ void ViscosityKernel::operator()(Arch, double viscosity, const double* pressure,
 }
 
 template PatchSums PatchKernel::operator()(PRS_SIMD_ARCHITECTURE, const PatchPoints&, const SlidingField&,
-                                           const PatchLawOf<double>&, const double*) const;
+                                           const FrictionLaw&, const RollingContactOf<double>&, const double*) const;
 template PatchSumsOf<simd::Dual<double>> PatchKernel::operator()(PRS_SIMD_ARCHITECTURE, const PatchPoints&,
                                                                  const SlidingFieldOf<simd::Dual<double>>&,
-                                                                 const PatchLawOf<simd::Dual<double>>&,
+                                                                 const FrictionLaw&,
+                                                                 const RollingContactOf<simd::Dual<double>>&,
                                                                  const double*) const;
 template void ViscosityKernel::operator()(PRS_SIMD_ARCHITECTURE, double, const double*, std::size_t, double*) const;
 

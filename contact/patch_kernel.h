@@ -20,10 +20,11 @@ using PatchSums = PatchSumsOf<double>;
 
 /// Sums the friction over a patch, a batch of points at a time; with slopes for Newton's method.
 struct PatchKernel {
-  /// `viscosity_ratio`: of an Eyring fluid, at the points; null where there is none.
+  /// `viscosity_ratio`: at the points; not used by a dry law.
   template <class Arch, class Number>
   PatchSumsOf<Number> operator()(Arch, const PatchPoints& points, const SlidingFieldOf<Number>& sliding,
-                                 const PatchLawOf<Number>& law, const double* viscosity_ratio) const;
+                                 const FrictionLaw& law, const RollingContactOf<Number>& contact,
+                                 const double* viscosity_ratio) const;
 };
 
 /// Roelands' viscosity ratio at `size` pressures (see film.h).

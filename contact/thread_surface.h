@@ -47,7 +47,7 @@ struct RadiiOf {
 ///
 /// gamma = +1 on the bottom face (outward normal against z) and -1 on the top face. A nut is
 /// described by the air inside it: same formula, profile curvature of opposite sign (Sandu 2018,
-/// section 1.2.4); `side` tells its material from its air. Straight, convex and concave profiles
+/// section 1.2.4); `side` distinguishes its material from its air. Straight, convex and concave profiles
 /// in both planes are one formula: the local flank angle phi obeys
 ///
 ///     sin(phi) = sin(alpha) + (r - r_T)/r_B,   stretch = 1/cos(beta) (normal plane) or 1 (axial),

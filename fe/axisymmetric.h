@@ -64,15 +64,15 @@ class MeshedGrid {
   MeridianMesh mesh_;
 };
 
-/// Bodies of revolution under loads expanded in Fourier series around the axis (Wilson, AIAA J. 3, 1965; Zienkiewicz
-/// and Taylor, The Finite Element Method, vol. 2, chapter on semi-analytical processes). The displacement of harmonic
-/// n, symmetric about the plane theta = 0, is
+/// Bodies of revolution under loads expanded in Fourier series around the axis (Wilson, AIAA J. 3,
+/// 1965; Zienkiewicz and Taylor, The Finite Element Method, vol. 2, chapter on semi-analytical
+/// processes). The displacement of harmonic n, symmetric about the plane theta = 0, is
 ///
 ///     u_r = U(r, z) cos(n theta),  u_theta = V(r, z) sin(n theta),  u_z = W(r, z) cos(n theta),
 ///
-/// and harmonics are uncoupled. n = 0 has no V: torsion is left out. Vectors over the mesh hold (U, V, W) of node after
-/// node [m], nodal loads the work-conjugate forces [N]: load times displacement is the work over the whole
-/// circumference, so that the loads contain
+/// and harmonics are uncoupled. n = 0 has no V: torsion is left out. Vectors over the mesh
+/// hold (U, V, W) of node after node [m], nodal loads the work-conjugate forces [N]: load times
+/// displacement is the work over the whole circumference, so that the loads contain
 ///
 ///     c_n = 2 pi for n = 0 (int cos^2 over the circle), pi for n >= 1.
 enum class Component { radial, circumferential, axial };

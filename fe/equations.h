@@ -125,8 +125,8 @@ class Equations {
   /// [N, N m]. Allocates nothing.
   double energy_and_residual(const State& q, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
 
-  /// Largest residual of each equation that rounding of the state alone can cause: eps times the sum of |K_ij q_j| over
-  /// the elements [N, N m].
+  /// Largest residual of each equation that rounding of the state alone can cause: eps times the
+  /// sum of |K_ij q_j| over the elements [N, N m].
   Eigen::VectorXd rounding_residual(const State& q) const;
 
   /// Fills `matrix`, of the pattern of `linear_stiffness`, for linear springs of these stiffnesses in place of the
@@ -156,8 +156,8 @@ class Equations {
     const NumberedLink& link = links_[static_cast<std::size_t>(k)];
     return link.stiffness * Displacements<State>{*this, q, 1.0}.stretch(link);
   }
-  /// Forces that hold each freedom against the elements other than links, followers included, in the order of `number`
-  /// [N, N m].
+  /// Forces that hold each freedom against the elements other than links, followers included, in
+  /// the order of `number` [N, N m].
   std::vector<double> nodal_forces(const State& q) const;
 
  private:

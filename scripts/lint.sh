@@ -17,7 +17,7 @@ check markdown scripts/wrap_markdown.py
 check links scripts/check_links.py
 # A lambda with a return type as a template argument, which clang-format takes for the end of a namespace.
 check namespaces bash -c '! git grep -nE "^[>,]" -- "*.h" "*.cpp"'
-check comments bash -c '! git grep -nE "///< (Of|That|Where|With) " -- "*.h" "*.cpp"'
+check comments scripts/check_comments.py
 # How many there are of what grows: a list says it, a number in a text ages.
 check counts bash -c '! git grep -niE "\b([0-9]{2,}|eleven|twelve|[a-z]+teen|[a-z]+ty(-[a-z]+)?) (numbered )?(lessons|commands|notebooks)\b" -- "*.md" "*.ipynb" "*.py"'
 check format xargs -a <(git ls-files '*.h' '*.cpp') -P "$(nproc)" -n 50 clang-format --dry-run --Werror

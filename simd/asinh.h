@@ -34,9 +34,8 @@ template <class Arch>
   return select(x < Batch(1e300), found, x);
 }
 
-template <class Arch>
-[[gnu::always_inline]] inline xsimd::batch<double, Arch> asinh_of_positive(const xsimd::batch<double, Arch>& x) {
-  using Batch = xsimd::batch<double, Arch>;
+template <class Batch>
+[[gnu::always_inline]] inline Batch asinh_of_positive(const Batch& x) {
   return asinh_of_positive(x, select(x < Batch(1e150), sqrt(x * x + 1.0), x));
 }
 template <class Batch>

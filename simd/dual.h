@@ -85,6 +85,13 @@ template <class Real>
   return {y, y * x.slope};
 }
 
+/// asinh(x) of x >= 0; of batches in simd/asinh.h.
+[[gnu::always_inline]] inline double asinh_of_positive(double x) { return __builtin_asinh(x); }
+template <class Batch>
+Batch asinh_of_positive(const Batch& x);
+template <class Batch>
+Dual<Batch> asinh_of_positive(const Dual<Batch>& x);
+
 /// x^p for x >= 0 and a constant p.
 [[gnu::always_inline]] inline double power(double x, double p) { return __builtin_pow(x, p); }
 template <class Batch>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -67,8 +68,21 @@ class EnumLanes {
 template <class Enum, class Real>
 using EnumOf = std::conditional_t<std::is_same_v<Real, double>, Enum, EnumLanes<Enum, Real>>;
 
+/// A number, or each number of several, with this value.
+template <class Of>
+[[gnu::always_inline]] constexpr Of filled_with(double x) {
+  if constexpr (std::is_same_v<Of, double>) {
+    return x;
+  } else {
+    std::array<double, sizeof(Of) / sizeof(double)> numbers;
+    numbers.fill(x);
+    return std::bit_cast<Of>(numbers);
+  }
+}
+
 /// Loads the first `size` structures of `values`, one per lane; lanes beyond `size` get the last one. Here and below,
 /// `Of` consists of batches only, `One` of as many numbers in the same order.
+
 template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
 [[gnu::always_inline]] inline Of side_by_side(const One* values, std::size_t size) {
   constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
@@ -85,6 +99,31 @@ template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
   }
   std::memcpy(static_cast<void*>(&batches), lanes, sizeof batches);
   return batches;
+}
+
+/// The same structure in all lanes of `Batch`.
+template <class Of, class Batch, class One>
+[[gnu::always_inline]] inline Of in_all_lanes(const One& one) {
+  Of of;
+  if constexpr (!std::is_empty_v<One>) {
+    constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
+    double numbers[kNumbers];
+    std::memcpy(numbers, &one, sizeof numbers);
+    Batch batches[kNumbers];
+    for (std::size_t i = 0; i < kNumbers; ++i) batches[i] = Batch(numbers[i]);
+    std::memcpy(static_cast<void*>(&of), batches, sizeof batches);
+  }
+  return of;
+}
+
+/// The numbers of `from` in these lanes of `to`.
+template <class Batch, class Of>
+[[gnu::always_inline]] inline void take_where(const Lanes<Batch>& which, const Of& from, Of& to) {
+  Batch a[sizeof(Of) / sizeof(Batch)], b[sizeof(Of) / sizeof(Batch)];
+  std::memcpy(static_cast<void*>(a), &from, sizeof a);
+  std::memcpy(static_cast<void*>(b), &to, sizeof b);
+  for (std::size_t i = 0; i < sizeof(Of) / sizeof(Batch); ++i) b[i] = select(which, a[i], b[i]);
+  std::memcpy(static_cast<void*>(&to), b, sizeof b);
 }
 
 /// Stores the lanes into structures.

@@ -2,3 +2,5 @@
 
 // Slip, friction, lost power and efficiency: `prs::analyze_slip`.
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_at_speed.h"
+#include "prs/slip/slip_pictures.h"

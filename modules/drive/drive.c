@@ -267,7 +267,7 @@ static void take_stops(const PrsRun* run, PrsView* v) {
     const double sense = i == PRS_UPPER ? 1.0 : -1.0;
     const double p = sense * (v->x - stop->at), p_rate = sense * v->v;
     double factor;
-    v->event[EVENT_STOP + i] = stop->stands ? (m->stop[i] ? p : -p) : 1.0;
+    if (stop->stands) v->event[EVENT_STOP + i] = m->stop[i] ? p : -p;
     if (!m->stop[i] || p < 0.0) continue;
     factor = largest_of(0.0, 1.0 + stop->damping * p_rate);
     v->stop_force -= sense * stop->stiffness * p * factor;
@@ -283,7 +283,6 @@ static void take_events_of_places(const PrsRun* run, double rotor_friction, PrsV
   int i;
   for (i = 0; i < PRS_PLACES; ++i) {
     const double w = i == PRS_LOAD ? v->v : i == PRS_SCREW ? v->omega : v->omega_m;
-    v->event[2 * i] = v->event[2 * i + 1] = 1.0;
     if (i == PRS_MOTOR && d->by == PRS_BY_SPEED) {
       if (m->place[i] != 0) v->event[2 * i] = m->place[i] * w;
       continue;
@@ -307,7 +306,6 @@ static void take_events_of_places(const PrsRun* run, double rotor_friction, PrsV
 
 static void take_events_of_flanks(const PrsRun* run, PrsView* v) {
   const PrsModes* const m = &run->state.modes;
-  v->event[EVENT_FLANK] = v->event[EVENT_FLANK + 1] = 1.0;
   if (can_open(run)) {
     if (m->flank == 1) v->event[EVENT_FLANK] = v->delta - run->play[0];
     if (m->flank == -1) v->event[EVENT_FLANK] = -v->delta - run->play[1];
@@ -316,7 +314,6 @@ static void take_events_of_flanks(const PrsRun* run, PrsView* v) {
       v->event[EVENT_FLANK + 1] = v->delta + run->play[1];
     }
   }
-  v->event[EVENT_LIFT] = 1.0;
   if (run->drive->material_damping > 0.0 && is_loose(run)) v->event[EVENT_LIFT] = m->lifted ? -v->pressed : v->pressed;
 }
 
@@ -324,12 +321,10 @@ static void take_events_of_flanks(const PrsRun* run, PrsView* v) {
 static void take_events_of_controller(const PrsRun* run, PrsView* v) {
   const PrsDrive* const d = run->drive;
   const PrsModes* const m = &run->state.modes;
-  v->event[EVENT_SPEED] = v->event[EVENT_SPEED + 1] = 1.0;
   if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_speed < HUGE_VAL) {
     v->event[EVENT_SPEED] = m->clipped != 0 ? m->clipped * v->asked - d->largest_speed : d->largest_speed - v->asked;
     if (m->clipped == 0) v->event[EVENT_SPEED + 1] = d->largest_speed + v->asked;
   }
-  v->event[EVENT_BOUND] = v->event[EVENT_BOUND + 1] = v->event[EVENT_WIND] = 1.0;
   if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_torque < HUGE_VAL) {
     const double sense = m->bound < 0 ? -1.0 : 1.0;
     if (m->bound == 0) {
@@ -356,7 +351,8 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   double reference_slope, command, acceleration, turning, free_force;
   double rotor_friction, thread = 0.0, motor_turning;
   PrsInputs in;
-  int motor_sense;
+  int motor_sense, i;
+  for (i = 0; i < PRS_EVENTS; ++i) v->event[i] = 1.0;
   run->signals.at(run->signals.self, t, &in);
   v->t = t;
   v->x = d->start_position + y[PRS_X];
@@ -712,6 +708,16 @@ static void points_of(const PrsRun* run, const PrsStepper* stepper, double from,
   }
 }
 
+int prs_vertex(const double t[3], const double y[3], double* when, double* value) {
+  const double h0 = t[1] - t[0], h1 = t[2] - t[1];
+  const double s0 = (y[1] - y[0]) / h0, s1 = (y[2] - y[1]) / h1;
+  const double bend = (s1 - s0) / (h0 + h1), slope = (s0 * h1 + s1 * h0) / (h0 + h1);
+  if (!(fabs(bend) > 0.0)) return 0;
+  *when = t[1] - 0.5 * slope / bend;
+  *value = y[1] - 0.25 * slope * slope / bend;
+  return *when > t[0] && *when < t[2];
+}
+
 /* Finds the first event of a step; arms those that have left their root. A place of three points
    whose parabola dips below zero between them is looked at there, as two roots may lie in a step. */
 static int first_event(const PrsRun* run, const PrsStepper* stepper, const PrsView points[PRS_POINTS],
@@ -729,21 +735,16 @@ static int first_event(const PrsRun* run, const PrsStepper* stepper, const PrsVi
         if (b > 0.0) armed[i] = 1;
         continue;
       }
-      if (b > 0.0 && a > 0.0 && k + 1 < PRS_POINTS && points[k + 1].event[i] > 0.0 && b <= a &&
-          b <= points[k + 1].event[i] && a + points[k + 1].event[i] - 2.0 * b > 0.0) {
-        const double h0 = points[k].t - points[k - 1].t, h1 = points[k + 1].t - points[k].t;
-        const double s0 = (b - a) / h0, s1 = (points[k + 1].event[i] - b) / h1;
-        const double bend = (s1 - s0) / (h0 + h1), slope = (s0 * h1 + s1 * h0) / (h0 + h1);
-        const double shift = bend > 0.0 ? -0.5 * slope / bend : 0.0;
-        if (b - 0.25 * slope * slope / (bend > 0.0 ? bend : HUGE_VAL) < 0.5 * b && shift > -h0 && shift < h1) {
-          const double t = points[k].t + shift;
-          if (event_at(run, stepper, t, i) < 0.0) {
-            crossing.from = shift < 0.0 ? points[k - 1].t : points[k].t;
-            crossing.to = t;
-            *when = root_of(run, stepper, crossing);
-            found = 1;
-            break;
-          }
+      if (b > 0.0 && b <= a && k + 1 < PRS_POINTS && b <= points[k + 1].event[i]) {
+        double times[3], values[3], t, value;
+        times[0] = points[k - 1].t, times[1] = points[k].t, times[2] = points[k + 1].t;
+        values[0] = a, values[1] = b, values[2] = points[k + 1].event[i];
+        if (prs_vertex(times, values, &t, &value) && value < 0.5 * b && event_at(run, stepper, t, i) < 0.0) {
+          if (t >= points[k].t) crossing.from = points[k].t;
+          crossing.to = t;
+          *when = root_of(run, stepper, crossing);
+          found = 1;
+          break;
         }
       }
       if (b < 0.0) {
@@ -801,7 +802,7 @@ int prs_run_to(PrsRun* run, const PrsStepper* stepper, const PrsObserver* observ
     }
     if (!stepper->begin(stepper->self, s)) return PRS_FAILED;
     while (!happened && s->t < stop) {
-      double from, to, when;
+      double from, to, when = stop;
       if (--run->steps_left < 0) return PRS_STEP_LIMIT;
       if (!stepper->step(stepper->self, stop, &from, &to)) return PRS_FAILED;
       points[0] = points[PRS_POINTS - 1];

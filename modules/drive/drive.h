@@ -153,6 +153,8 @@ double prs_friction_torque(const PrsCurves* curves, double force, double speed, 
 /* Sizes of the states from which errors of an integration count: those that a thousandth of the
    largest force brings about. */
 void prs_scales(const PrsRun* run, double scale[PRS_STATES]);
+/* Vertex of the parabola through three points with rising t; 0 where it has none between them. */
+int prs_vertex(const double t[3], const double y[3], double* when, double* value);
 /* Bound of the angular frequency of its vibrations [rad/s]. */
 double prs_fastest(const PrsRun* run);
 /* Energy that the drive holds [J]. */

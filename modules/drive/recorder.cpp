@@ -1,11 +1,13 @@
 #include "modules/drive/recorder.h"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 namespace prs {
 namespace {
 
+constexpr int kBits = 18;  // Of the time of an extreme within its step.
 constexpr double kWeights[PRS_POINTS] = {1.0 / 20.0, 49.0 / 180.0, 16.0 / 45.0, 49.0 / 180.0, 1.0 / 20.0};
 
 double motor_power(const PrsView& v) { return v.motor_torque * v.omega_m; }
@@ -99,32 +101,15 @@ void Recorder::track(const PrsView& view) {
 }
 
 void Recorder::refine(const PrsView points[PRS_POINTS]) {
-  constexpr double kGolden = 0.3819660112501051;
   for (int j = 0; j < kAll; ++j)
     for (int k = 1; k + 1 < PRS_POINTS; ++k) {
-      const double a = tracked(points[k - 1], j), b = tracked(points[k], j), c = tracked(points[k + 1], j);
-      const double h0 = points[k].t - points[k - 1].t, h1 = points[k + 1].t - points[k].t;
-      const double s0 = (b - a) / h0, s1 = (c - b) / h1;
-      const double bend = (s1 - s0) / (h0 + h1), slope = (s0 * h1 + s1 * h0) / (h0 + h1);
-      if (!(bend < 0.0)) continue;
-      const double shift = -0.5 * slope / bend;
-      if (!(shift > -h0 && shift < h1)) continue;
-      const double predicted = b - 0.25 * slope * slope / bend;
+      double t[3], y[3], when = 0.0, predicted = 0.0;
+      for (int i = 0; i < 3; ++i) t[i] = points[k - 1 + i].t, y[i] = tracked(points[k - 1 + i], j);
+      if (prs_vertex(t, y, &when, &predicted) == 0) continue;
       if (!(predicted > peaks_[j].value + 1e-11 * std::abs(peaks_[j].value))) continue;
-      double from = points[k - 1].t, to = points[k + 1].t;
-      PrsView left = at(from + kGolden * (to - from)), right = at(to - kGolden * (to - from));
-      for (int i = 0; i < 24; ++i) {
-        if (tracked(left, j) > tracked(right, j)) {
-          to = right.t;
-          right = left;
-          left = at(from + kGolden * (to - from));
-        } else {
-          from = left.t;
-          left = right;
-          right = at(to - kGolden * (to - from));
-        }
-      }
-      track(left);
+      const auto share_at = [&](double share) { return at(t[0] + share * (t[2] - t[0])); };
+      const auto below = [&](double share) { return -tracked(share_at(share), j); };
+      track(share_at(boost::math::tools::brent_find_minima(below, 0.0, 1.0, kBits).first));
     }
 }
 

@@ -145,17 +145,6 @@ struct Result {
   std::vector<StartResult> starts;
 };
 
-struct Minimum {
-  bool has_converged = false;
-  std::size_t iterations = 0;
-};
-/// Residuals for a minimum of half their sum of squares within 0 <= z <= 1 where `bounded`, from z on; writes their
-/// derivatives by z, one row each, if requested. Returns false if there are none at this z. With `roughly` the search
-/// may end early: later steps complete it.
-using Residuals = std::function<bool(const double* z, double* residuals, double* derivatives)>;
-Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
-                 std::vector<double>& z);
-
 Result solve(const Problem& problem);
 
 struct FitModule : Module {

@@ -1,29 +1,25 @@
 #include "modules/estimation/statistics.h"
 
+#include <ceres/loss_function.h>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/prime.hpp>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace modules::fit {
 
-Robust robust(const Loss& loss, double r) {
-  const double k = loss.scale, s = r * r;
-  switch (loss.kind) {
-    case Loss::Kind::huber:
-      if (s > k * k) return {2.0 * k * std::abs(r) - k * k, k / std::abs(r), std::copysign(k, r), 0.0};
-      break;
-    case Loss::Kind::cauchy: {
-      const double weight = 1.0 / (1.0 + s / (k * k));
-      return {k * k * std::log1p(s / (k * k)), weight, weight * r, (1.0 - s / (k * k)) * weight * weight};
-    }
-    case Loss::Kind::squares:
-      break;
-  }
-  return {s, 1.0, r, 1.0};
+Robust robust(const Loss& loss, const ArrayXd& r) {
+  std::unique_ptr<ceres::LossFunction> rho = std::make_unique<ceres::TrivialLoss>();
+  if (loss.kind == Loss::Kind::huber) rho = std::make_unique<ceres::HuberLoss>(loss.scale);
+  if (loss.kind == Loss::Kind::cauchy) rho = std::make_unique<ceres::CauchyLoss>(loss.scale);
+  Eigen::Array3Xd by_s(3, r.size());
+  for (Index i = 0; i < r.size(); ++i) rho->Evaluate(r[i] * r[i], by_s.col(i).data());
+  const ArrayXd weight = by_s.row(1);
+  return {r, by_s.row(0), weight, weight * r, weight + 2.0 * r.square() * by_s.row(2).transpose()};
 }
 
 double consistency(const Loss& loss) {
@@ -42,8 +38,6 @@ double consistency(const Loss& loss) {
   }
   return 1.0;
 }
-
-double normal_probability(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
 double chi_square_beyond(double x, double degrees) {
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), x));
@@ -69,7 +63,8 @@ std::optional<Runs> runs_of(std::span<const double> residuals) {
   runs.expected = 1.0 + 2.0 * positive * negative / n;
   const double variance = (runs.expected - 1.0) * (runs.expected - 2.0) / (n - 1.0);
   if (!(variance > 0.0)) return std::nullopt;
-  runs.p_value = normal_probability((static_cast<double>(runs.count) - runs.expected) / std::sqrt(variance));
+  runs.p_value =
+      boost::math::cdf(boost::math::normal(runs.expected, std::sqrt(variance)), static_cast<double>(runs.count));
   return runs;
 }
 
@@ -83,47 +78,14 @@ double halton(std::size_t k, std::size_t j) {
   return result;
 }
 
-namespace {
-
-/// Spectrum of the columns that are long enough.
-Spectrum without_short(const VectorXd& length) {
-  Spectrum spectrum{.length = length, .columns = {}, .ratios = {}, .vectors = {}};
-  for (Index j = 0; j < length.size(); ++j)
-    if (length[j] >= Spectrum::kNoEffect) spectrum.columns.push_back(j);
-  return spectrum;
-}
-
-using Decomposition = Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner>;
-
-}  // namespace
-
-Spectrum spectrum_of(const MatrixXd& normal) {
-  Spectrum spectrum = without_short(normal.diagonal().cwiseMax(0.0).cwiseSqrt());
-  const auto n = static_cast<Index>(spectrum.columns.size());
-  if (n == 0) return spectrum;
-  MatrixXd scaled = normal(spectrum.columns, spectrum.columns);
-  for (Index i = 0; i < n; ++i)
-    for (Index k = 0; k < n; ++k)
-      scaled(i, k) /= spectrum.length[spectrum.columns[static_cast<std::size_t>(i)]] *
-                      spectrum.length[spectrum.columns[static_cast<std::size_t>(k)]];
-  const Decomposition eigen(scaled, Eigen::ComputeFullV);  // Symmetric, without negative eigenvalues.
-  spectrum.ratios = (eigen.singularValues() / eigen.singularValues()[0]).cwiseSqrt();
-  spectrum.vectors = eigen.matrixV();
-  return spectrum;
-}
-
-Spectrum exact_spectrum(const MatrixXd& rows) {
-  Spectrum spectrum = without_short(rows.colwise().norm().transpose());
-  const auto n = static_cast<Index>(spectrum.columns.size());
-  if (n == 0) return spectrum;
-  MatrixXd scaled = rows(Eigen::all, spectrum.columns);
-  for (Index k = 0; k < n; ++k) scaled.col(k).normalize();
-  MatrixXd square = MatrixXd::Zero(n, n);
-  if (scaled.rows() > n)
-    square.triangularView<Eigen::Upper>() = Eigen::HouseholderQR<MatrixXd>(scaled).matrixQR().topRows(n);
-  else
-    square.topRows(scaled.rows()) = scaled;
-  const Decomposition svd(square, Eigen::ComputeFullV);
+Spectrum spectrum_of(const MatrixXd& rows) {
+  Spectrum spectrum{.length = rows.colwise().norm(), .columns = {}, .ratios = {}, .vectors = {}};
+  for (Index j = 0; j < rows.cols(); ++j)
+    if (spectrum.length[j] >= Spectrum::kNoEffect) spectrum.columns.push_back(j);
+  if (spectrum.columns.empty()) return spectrum;
+  const MatrixXd scaled =
+      rows(Eigen::all, spectrum.columns) * spectrum.length(spectrum.columns).cwiseInverse().asDiagonal();
+  const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeThinV);
   spectrum.ratios = svd.singularValues() / svd.singularValues()[0];
   spectrum.vectors = svd.matrixV();
   return spectrum;
@@ -131,24 +93,21 @@ Spectrum exact_spectrum(const MatrixXd& rows) {
 
 MatrixXd inverse(const MatrixXd& normal, const std::vector<Index>& free) {
   MatrixXd result = MatrixXd::Zero(normal.rows(), normal.cols());
-  if (free.empty()) return result;
-  const Spectrum spectrum = spectrum_of(normal(free, free));
-  const auto n = static_cast<Index>(spectrum.columns.size());
-  if (n == 0) return result;
-  MatrixXd scaled = MatrixXd::Zero(n, n);
-  // The largest eigenvalue follows from the trace, which is n.
-  const double largest = static_cast<double>(n) / spectrum.ratios.squaredNorm();
-  for (Index k = 0; k < n; ++k)
-    if (spectrum.is_identifiable(k))
-      scaled += spectrum.vectors.col(k) * spectrum.vectors.col(k).transpose() /
-                (largest * spectrum.ratios[k] * spectrum.ratios[k]);
-  for (Index i = 0; i < n; ++i)
-    for (Index k = 0; k < n; ++k) {
-      const Index row = spectrum.columns[static_cast<std::size_t>(i)];
-      const Index column = spectrum.columns[static_cast<std::size_t>(k)];
-      result(free[static_cast<std::size_t>(row)], free[static_cast<std::size_t>(column)]) =
-          scaled(i, k) / (spectrum.length[row] * spectrum.length[column]);
-    }
+  const VectorXd length = normal.diagonal().cwiseMax(0.0).cwiseSqrt();
+  std::vector<Index> columns;
+  for (const Index j : free)
+    if (length[j] >= Spectrum::kNoEffect) columns.push_back(j);
+  if (columns.empty()) return result;
+  const VectorXd unit = length(columns).cwiseInverse();
+  // Symmetric, and no eigenvalue is negative.
+  const Eigen::JacobiSVD<MatrixXd> svd(unit.asDiagonal() * normal(columns, columns) * unit.asDiagonal(),
+                                       Eigen::ComputeFullV);
+  const VectorXd& eigenvalues = svd.singularValues();
+  const double least = eigenvalues[0] * Spectrum::kLeastRatio * Spectrum::kLeastRatio;
+  const MatrixXd vectors = unit.asDiagonal() * svd.matrixV();
+  result(columns, columns) =
+      vectors * (eigenvalues.array() >= least).select(eigenvalues.cwiseInverse(), 0.0).matrix().asDiagonal() *
+      vectors.transpose();
   return result;
 }
 

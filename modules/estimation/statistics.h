@@ -1,26 +1,20 @@
 #pragma once
 
-#include <Eigen/Dense>
 #include <span>
 
-#include "modules/estimation/fit.h"
+#include "modules/estimation/model.h"
 
 namespace modules::fit {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-/// rho(r^2), rho'(r^2) and psi(r) = rho'(r^2) r with its derivative by r.
+/// Of each r: rho(r^2), rho'(r^2) and psi(r) = rho'(r^2) r with its derivative by r.
 struct Robust {
-  double rho = 0.0, weight = 1.0, psi = 0.0, slope = 1.0;
+  ArrayXd scaled, rho, weight, psi, slope;  ///< `scaled`: r
 };
-Robust robust(const Loss& loss, double r);
+Robust robust(const Loss& loss, const ArrayXd& r);
 
 /// Mean of psi(r) r over normal errors of deviation 1.
 double consistency(const Loss& loss);
 
-double normal_probability(double x);                 ///< Probability below x.
 double chi_square_beyond(double x, double degrees);  ///< Probability beyond x.
 /// Quantile of Student's distribution, or of the normal one.
 double quantile(double level, std::optional<double> degrees);
@@ -31,25 +25,20 @@ std::optional<Runs> runs_of(std::span<const double> residuals);
 /// Radical inverse of k in the j-th prime, from 0 (Halton 1960).
 double halton(std::size_t k, std::size_t j);
 
-/// Directions that the columns of a matrix with the normal equations A = M'M determine: each column divided by its
-/// length d, singular values s falling, right vectors v. Columns shorter than kNoEffect are left out, directions below
-/// kLeastRatio are not identifiable.
+/// What the columns of a matrix tell apart, each divided by its length: singular values, falling, and
+/// right vectors. Columns shorter than kNoEffect are left out, directions below kLeastRatio are not
+/// identifiable.
 struct Spectrum {
   static constexpr double kLeastRatio = 1e-4, kNoEffect = 1e-3;
 
   VectorXd length;
   std::vector<Index> columns;  ///< Indices of the remaining columns.
-  VectorXd ratios;             ///< s_k/s_1
+  VectorXd ratios;             ///< Singular values over the first one.
   MatrixXd vectors;            ///< Vectors in rows of `columns`.
-
-  bool is_identifiable(Index k) const { return ratios[k] >= kLeastRatio; }
 };
-/// Spectrum from A, accurate to about 1e-8.
-Spectrum spectrum_of(const MatrixXd& normal);
-/// Spectrum from M itself.
-Spectrum exact_spectrum(const MatrixXd& rows);
+Spectrum spectrum_of(const MatrixXd& rows);
 
-/// A^-1 over the columns `free`, on identifiable directions only; 0 elsewhere.
+/// A^-1 of normal equations A over the columns `free`, on identifiable directions alone; 0 elsewhere.
 MatrixXd inverse(const MatrixXd& normal, const std::vector<Index>& free);
 
 /// Weights and information of a curve.

@@ -1,9 +1,11 @@
 #include "modules/fit/fit.h"
 
 #include <filesystem>
+#include <map>
 
 #include "prs/input/force_history.h"
 #include "prs/optimize/optimize_files.h"
+#include "prs/record/record_table.h"
 #include "prs/study/study_run.h"
 
 namespace prs {
@@ -35,93 +37,106 @@ Problem problem_of(const FitInput& input, FitEvaluation& evaluation) {
   return problem;
 }
 
-void add_warnings(FitResult& r) {
-  using fmt::format;
-  const modules::fit::Result& found = r.found;
-  const auto warn = [&](std::string path, std::string code, std::string what, std::string fix) {
-    r.warnings.push_back({std::move(path), std::move(code), std::move(what), std::move(fix)});
-  };
-  if (found.failure)
-    warn("fit", "no_equilibrium",
-         format("no answer at {}: {}", place_of(r.input, found.failure->curve, found.failure->row),
-                found.failure->reason),
-         "start elsewhere, narrow the bounds, or leave the row out");
-  if (!found.unidentified.empty())
-    for (const modules::fit::Unidentified& d : found.unidentified) {
-      std::vector<std::string> names;
-      for (const std::size_t j : d.unknowns) names.push_back(r.name(j));
-      if (names.size() == 1)
-        warn("fit", "not_identifiable", format("the data do not tell {}", names[0]),
-             "fix it, give it a `prior`, or measure under other conditions");
-      else
-        warn("fit", "not_identifiable", format("the data cannot tell apart {}", fmt::join(names, ", ")),
-             "fix one of them, give it a `prior`, or measure under other conditions");
-    }
-  if (found.without_redundancy) {
-    const FitCurve& c = r.input.curves[*found.without_redundancy];
-    warn(c.at, "no_redundancy", format("the readings of {} do not tell their deviation", c.name),
-         c.deviation.empty() ? "state its `deviation`" : "state a larger `deviation`: most of its rows are outliers");
+void warn(FitResult& r, std::string path, std::string code, std::string what, std::string fix) {
+  r.warnings.push_back({std::move(path), std::move(code), std::move(what), std::move(fix)});
+}
+
+void warn_of_unidentified(FitResult& r) {
+  for (const modules::fit::Unidentified& d : r.found.unidentified) {
+    const auto names = each(d.unknowns, [&](std::size_t j) { return r.name(j); });
+    const bool is_one = names.size() == 1;
+    warn(r, "fit", "not_identifiable",
+         fmt::format("the data {} {}", is_one ? "do not tell" : "cannot tell apart", fmt::join(names, ", ")),
+         fmt::format("fix {}, give it a `prior`, or measure under other conditions", is_one ? "it" : "one of them"));
   }
+  if (!r.found.without_redundancy) return;
+  const FitCurve& c = r.input.curves[*r.found.without_redundancy];
+  warn(r, c.at, "no_redundancy", fmt::format("the readings of {} do not tell their deviation", c.name),
+       c.deviation.empty() ? "state its `deviation`" : "state a larger `deviation`: most of its rows are outliers");
+}
+
+/// Parameters whose bounds are wide beside their values.
+std::string wide_bounds(const FitResult& r) {
+  std::string wide;
+  for (std::size_t j = 0; j < r.input.parameters.size(); ++j) {
+    const FitParameter& p = r.input.parameters[j];
+    const double value = r.found.unknowns[j].value.value_or(0.0);
+    if (!p.is_log && p.from >= 0.0 && value > 0.0 && value - p.from < 0.01 * (p.to - p.from))
+      wide += fmt::format("{} `scale: log` of {}", wide.empty() ? "" : " and", p.path);
+  }
+  return wide;
+}
+
+void warn_of_search(FitResult& r) {
+  const modules::fit::Result& found = r.found;
+  const auto place = [&](const modules::fit::Failure& f) { return place_of(r.input, f.curve, f.row); };
+  if (found.failure)
+    warn(r, "fit", "no_equilibrium", fmt::format("no answer at {}: {}", place(*found.failure), found.failure->reason),
+         "start elsewhere, narrow the bounds, or leave the row out");
+  warn_of_unidentified(r);
   if (found.held_by) {
-    warn("fit", "iteration_limit",
-         format("the search did not come to rest: it is drawn to where {} has no answer: {}",
-                place_of(r.input, found.held_by->curve, found.held_by->row), found.held_by->reason),
+    warn(r, "fit", "iteration_limit",
+         fmt::format("the search did not come to rest: it is drawn to where {} has no answer: {}",
+                     place(*found.held_by), found.held_by->reason),
          "narrow the bounds, look for wrong readings, or leave the row out");
   } else if (found.status == Status::iteration_limit) {
-    std::string wide;
-    for (std::size_t j = 0; j < r.input.parameters.size(); ++j) {
-      const FitParameter& p = r.input.parameters[j];
-      const std::optional<double>& value = found.unknowns[j].value;
-      if (!p.is_log && p.from >= 0.0 && value && *value > 0.0 && *value - p.from < 0.01 * (p.to - p.from))
-        wide += format("{} `scale: log` of {}", wide.empty() ? "" : " and", p.path);
-    }
-    warn("fit", "iteration_limit", "the search did not come to rest",
+    const std::string wide = wide_bounds(r);
+    warn(r, "fit", "iteration_limit", "the search did not come to rest",
          wide.empty() ? "start nearer, or narrow the bounds"
-                      : format("its bounds are wide: narrow them, or write{} with `from` above 0", wide));
+                      : fmt::format("its bounds are wide: narrow them, or write{} with `from` above 0", wide));
   }
-  for (std::size_t j = 0; j < r.input.parameters.size() && j < found.unknowns.size(); ++j) {
-    const modules::fit::UnknownResult& u = found.unknowns[j];
-    const std::string& path = r.input.parameters[j].path;
-    if (u.at_bound != 0)
-      warn(path, "at_bound", format("at its bound `{}`", u.at_bound < 0 ? "from" : "to"),
-           "widen the bounds where it may be");
-    if (u.profile_failed)
-      warn(path, "profile", "an end of its profile was not found", "narrow the bounds, or look at other `starts`");
-    if (const auto& prior = r.input.parameters[j].prior;
-        prior && !(prior->mean >= r.input.parameters[j].from && prior->mean <= r.input.parameters[j].to))
-      warn(path, "prior_outside", "the mean of its prior lies outside of its bounds", "check both");
-    if (u.prior_decides)
-      warn(path, "prior_decides", "its prior decides: the data hardly add to it", "measure what depends on it");
-    if (u.estimate && u.estimate->low <= r.input.parameters[j].from && u.estimate->high >= r.input.parameters[j].to)
-      warn(path, "hardly_told", "the data hardly tell it: its interval covers all from `from` to `to`",
-           "measure what depends on it");
-  }
-  const auto systematic = [&](const std::string& at, const std::string& code, const std::string& which, double p) {
-    warn(at, code,
-         format("{} has a probability of {:.2g} %: the model leaves something systematic, or deviations are too small; "
-                "intervals are too narrow then",
-                which, 100.0 * p),
+}
+
+void warn_of_parameter(FitResult& r, const FitParameter& p, const modules::fit::UnknownResult& u) {
+  if (u.at_bound != 0)
+    warn(r, p.path, "at_bound", fmt::format("at its bound `{}`", u.at_bound < 0 ? "from" : "to"),
+         "widen the bounds where it may be");
+  if (u.profile_failed)
+    warn(r, p.path, "profile", "an end of its profile was not found", "narrow the bounds, or look at other `starts`");
+  if (p.prior && !(p.prior->mean >= p.from && p.prior->mean <= p.to))
+    warn(r, p.path, "prior_outside", "the mean of its prior lies outside of its bounds", "check both");
+  if (u.prior_decides)
+    warn(r, p.path, "prior_decides", "its prior decides: the data hardly add to it", "measure what depends on it");
+  if (u.estimate && u.estimate->low <= p.from && u.estimate->high >= p.to)
+    warn(r, p.path, "hardly_told", "the data hardly tell it: its interval covers all from `from` to `to`",
+         "measure what depends on it");
+}
+
+void warn_of_probability(FitResult& r, const std::string& at, const std::string& code, const std::string& of,
+                         double p) {
+  if (p < 0.01)
+    warn(r, at, code,
+         fmt::format("{} has a probability of {:.2g} %: the model leaves something systematic, or deviations are too "
+                     "small; intervals are too narrow then",
+                     of, 100.0 * p),
          "look at the residuals");
-  };
-  if (found.p_value && *found.p_value < 0.01) systematic("fit", "chi_square", "chi-square", *found.p_value);
-  for (std::size_t c = 0; c < found.curves.size(); ++c) {
-    const modules::fit::CurveResult& curve = found.curves[c];
-    const FitCurve& its = r.input.curves[c];
-    if (curve.runs && curve.runs->p_value < 0.01)
-      systematic(its.at, "runs", format("so few runs of sign of {}", its.name), curve.runs->p_value);
-    if (curve.is_without_noise)
-      warn(its.at, "without_noise", format("the readings of {} are met without noise, intervals say nothing", its.name),
-           "state its `deviation`");
-    const auto outliers =
-        static_cast<std::size_t>(std::ranges::count_if(curve.weight, [](double w) { return w < 0.5; }));
-    if (its.loss.is_robust() && 4 * outliers > curve.weight.size())
-      warn(its.at, "outliers",
-           format("{} of {} rows of {} count less than half: its deviation is too small, or the model leaves something",
-                  outliers, curve.weight.size(), its.name),
-           "look at the residuals");
-  }
+}
+
+void warn_of_curve(FitResult& r, const FitCurve& c, const modules::fit::CurveResult& found) {
+  if (found.runs)
+    warn_of_probability(r, c.at, "runs", fmt::format("so few runs of sign of {}", c.name), found.runs->p_value);
+  if (found.is_without_noise)
+    warn(r, c.at, "without_noise",
+         fmt::format("the readings of {} are met without noise, intervals say nothing", c.name),
+         "state its `deviation`");
+  const auto outliers = static_cast<std::size_t>(std::ranges::count_if(found.weight, [](double w) { return w < 0.5; }));
+  if (c.loss.is_robust() && 4 * outliers > found.weight.size())
+    warn(r, c.at, "outliers",
+         fmt::format(
+             "{} of {} rows of {} count less than half: its deviation is too small, or the model leaves something",
+             outliers, found.weight.size(), c.name),
+         "look at the residuals");
+}
+
+void add_warnings(FitResult& r) {
+  warn_of_search(r);
+  const modules::fit::Result& found = r.found;
+  for (std::size_t j = 0; j < r.input.parameters.size() && j < found.unknowns.size(); ++j)
+    warn_of_parameter(r, r.input.parameters[j], found.unknowns[j]);
+  warn_of_probability(r, "fit", "chi_square", "chi-square", found.p_value.value_or(1.0));
+  for (std::size_t c = 0; c < found.curves.size(); ++c) warn_of_curve(r, r.input.curves[c], found.curves[c]);
   if (std::ranges::any_of(found.starts, &modules::fit::StartResult::is_another_minimum))
-    warn("fit.starts", "another_minimum", "another start ended at another minimum that is nearly as good",
+    warn(r, "fit.starts", "another_minimum", "another start ended at another minimum that is nearly as good",
          "compare `starts`");
 }
 
@@ -173,25 +188,56 @@ std::string name_of_copy(const FitInput& input, std::size_t curve) {
   return taken ? fmt::format("{}_{}", curve + 1, plain(curve)) : plain(curve);
 }
 
+namespace {
+
+/// How well a parameter is known, for the line above it.
+std::string remark_on(const FitParameter& p, const modules::fit::UnknownResult& u, double level) {
+  std::string remark = u.at_bound != 0 ? "fitted, at its bound" : "fitted";
+  if (const auto& e = u.estimate) {
+    const std::string unit = p.unit.empty() ? "" : " " + p.unit;
+    remark = fmt::format("fitted: standard deviation {:.3g}{}, {:g} % interval {:.5g} to {:.5g}{}", e->deviation, unit,
+                         100.0 * level, e->low, e->high, unit);
+  }
+  return fmt::format("# {}: {}; {}\n", p.path.substr(p.path.rfind('.') + 1), remark,
+                     p.stood.empty() ? "the file said nothing" : "was " + p.stood);
+}
+
+/// The text with the remark of each parameter above its line; without them where no comment may stand.
+std::string with_remarks(const std::string& text, const FitResult& r) {
+  const auto document = [&](const std::string& of) {
+    const input::Source one{r.input.source.name, of, {}};
+    input::ErrorList errors(one);
+    return read_document(one, errors);
+  };
+  try {
+    const input::Node root = document(text);
+    std::multimap<std::size_t, std::string, std::greater<>> lines;  // The last one first.
+    for (std::size_t j = r.input.parameters.size(); j-- > 0;) {
+      const FitParameter& p = r.input.parameters[j];
+      const input::Node* node = find_path(root, p.path);
+      const std::size_t at = (node->key.empty() ? node->place : node->key_place).offset;
+      const std::size_t line = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+      lines.emplace(line, std::string(text.find_first_not_of(' ', line) - line, ' ') +
+                              remark_on(p, r.found.unknowns[j], r.input.level));
+    }
+    std::string all = text;
+    for (const auto& [line, remark] : lines) all.insert(line, remark);
+    if (flow_text(document(all)) == flow_text(root)) return all;
+  } catch (const input::InputError&) {
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string fitted_case(const FitResult& r) {
   std::vector<std::string> overrides;
-  std::vector<std::pair<std::string, std::string>> remarks;
   for (std::size_t j = 0; j < r.input.parameters.size(); ++j) {
     const FitParameter& p = r.input.parameters[j];
-    const modules::fit::UnknownResult& u = r.found.unknowns[j];
-    const std::string value = fit_text(*u.value, p.unit);
+    const std::string value = fit_text(*r.found.unknowns[j].value, p.unit);
     overrides.push_back(fmt::format("{}={}", p.path, value));
     // A repeated fit then starts at its end.
     if (p.has_start) overrides.push_back(fmt::format("fit.parameters[{}].start={}", j, value));
-    std::string remark = u.at_bound != 0 ? "fitted, at its bound" : "fitted";
-    if (u.estimate) {
-      const auto text = [&](double x) { return fmt::format("{:.5g}", x); };
-      remark = fmt::format("fitted: standard deviation {}, {:g} % interval {} to {}",
-                           fmt::format("{:.3g}{}{}", u.estimate->deviation, p.unit.empty() ? "" : " ", p.unit),
-                           100.0 * r.input.level, text(u.estimate->low),
-                           fmt::format("{}{}{}", text(u.estimate->high), p.unit.empty() ? "" : " ", p.unit));
-    }
-    remarks.emplace_back(p.path, remark + (p.stood.empty() ? "; the file said nothing" : "; was " + p.stood));
   }
   const input::Source& source = r.input.source;
   // The readings are copied with the file.
@@ -201,29 +247,7 @@ std::string fitted_case(const FitResult& r) {
         overrides.push_back(fmt::format("{}.file=\"{}\"", curve.at, name));
   std::string command = fmt::format("prs fit {}", source.name);
   for (const std::string& one : source.overrides) command += fmt::format(" --set '{}'", one);
-  const std::string plain = case_with(source, overrides, fmt::format("Fitted by `{}`", command));
-  const auto document = [&](const std::string& text) {
-    const input::Source one{source.name, text, {}};
-    input::ErrorList errors(one);
-    return read_document(one, errors);
-  };
-  try {
-    const input::Node root = document(plain);
-    std::string text = plain;
-    std::vector<std::pair<std::size_t, std::string>> lines;
-    for (const auto& [path, remark] : remarks) {
-      const input::Node* node = find_path(root, path);
-      const std::size_t at = (node->key.empty() ? node->place : node->key_place).offset;
-      const std::size_t line = at == 0 ? 0 : plain.rfind('\n', at - 1) + 1;
-      lines.emplace_back(line, std::string(plain.find_first_not_of(' ', line) - line, ' ') + "# " +
-                                   path.substr(path.rfind('.') + 1) + ": " + remark + "\n");
-    }
-    std::ranges::stable_sort(lines, {}, [](const auto& l) { return l.first; });
-    for (auto line = lines.rbegin(); line != lines.rend(); ++line) text.insert(line->first, line->second);
-    if (flow_text(document(text)) == flow_text(root)) return text;
-  } catch (const input::InputError&) {  // Where no comment is allowed there are none.
-  }
-  return plain;
+  return with_remarks(case_with(source, overrides, fmt::format("Fitted by `{}`", command)), r);
 }
 
 FitResult fit_case(const input::Source& source, const FitOptions& options) {

@@ -156,7 +156,11 @@ constexpr Quantity<estimation::Runs> kRuns[] = {
 
 constexpr auto is_computed = [](const FittedCurve& c) { return !c.found().residual.empty(); };
 template <auto member>
-constexpr auto of_curve = always<[](const FittedCurve& c) { return c.curve().*member; }>;
+const auto& curve_of(const FittedCurve& c) {
+  return c.curve().*member;
+}
+template <auto member>
+constexpr auto of_curve = always<curve_of<member>>;
 template <auto member>
 const auto& found_of(const FittedCurve& c) {
   return c.found().*member;
@@ -288,50 +292,43 @@ std::string conditions_text(const FitCurve& c, std::size_t row) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::optional<double> at(const std::vector<double>& values, std::size_t row) {
-  return row < values.size() ? std::optional(values[row]) : std::nullopt;
-}
-
 std::string parameters_csv(const FitResult& r, const CsvStyle& style) {
   CsvWriter csv(style);
   scalar_header<FittedUnknown>(csv);
-  csv.row("profile_low", "profile_high");
+  scalar_header<FitProfile>(csv, "profile_");
+  csv.end_row();
   for (const FittedUnknown& p : unknowns_of(r)) {
+    const FitProfile profile{p};
     scalar_fields<FittedUnknown>(csv, &p);
-    csv.row(p.found().profile_low, p.found().profile_high);
+    scalar_fields<FitProfile>(csv, &profile);
+    csv.end_row();
   }
   return csv.take();
 }
 
-std::string residuals_csv(const FitResult& r, const CsvStyle& style) {
+/// A row for each of the curves, a column for each of their series.
+template <class Curve>
+std::string rows_csv(const std::vector<Curve>& curves, std::string_view curve, std::string_view row,
+                     const CsvStyle& style) {
   CsvWriter csv(style);
-  csv.row("curve", "line", "conditions", "unit", "measured", "fitted", "residual", "standard_deviation", "weight",
-          "low", "high");
-  for (const FittedCurve& c : curves_of(r))
+  csv.fields(curve, row, "conditions", "unit");
+  series_header<Curve>(csv);
+  csv.end_row();
+  for (const Curve& c : curves)
     for (std::size_t i = 0; i < c.curve().rows; ++i) {
-      const estimation::CurveResult& f = c.found();
-      csv.row(c.curve().name, c.curve().lines[i], conditions_text(c.curve(), i), c.curve().unit, c.curve().measured[i],
-              at(f.fitted, i), at(f.residual, i), at(f.deviation, i), at(f.weight, i), at(f.low, i), at(f.high, i));
-    }
-  return csv.take();
-}
-
-std::string bands_csv(const FitResult& r, const CsvStyle& style) {
-  CsvWriter csv(style);
-  csv.row("band", "row", "conditions", "unit", "value", "standard_deviation", "low", "high");
-  for (const FittedCurve& c : bands_of(r))
-    for (std::size_t i = 0; i < c.curve().rows; ++i) {
-      const estimation::CurveResult& f = c.found();
-      csv.row(c.curve().name, i + 1, conditions_text(c.curve(), i), c.curve().unit, at(f.fitted, i),
-              at(f.band_deviation, i), at(f.low, i), at(f.high, i));
+      csv.fields(c.curve().name, c.curve().lines.empty() ? i + 1 : c.curve().lines[i], conditions_text(c.curve(), i),
+                 c.curve().unit);
+      series_fields(csv, c, i);
+      csv.end_row();
     }
   return csv.take();
 }
 
 std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
   std::vector<OutputFile> files{{"fit_parameters.csv", parameters_csv(r, style)},
-                                {"residuals.csv", residuals_csv(r, style)}};
-  if (!bands_of(r).empty()) files.push_back({"fit_bands.csv", bands_csv(r, style)});
+                                {"residuals.csv", rows_csv(curves_of(r), "curve", "line", style)}};
+  if (const auto bands = bands_of(r); !bands.empty())
+    files.push_back({"fit_bands.csv", rows_csv(bands, "band", "row", style)});
   if (!r.converged()) return files;
   files.push_back({"fitted.yaml", fitted_case(r)});
   // The readings are copied beside it, to make it a complete case.
@@ -356,11 +353,6 @@ std::string row_text(const FitCurve& c, std::size_t row) {
   return text;
 }
 
-std::size_t offsets_of(const FitResult& r) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      r.input.curves, [](const FitCurve& c) { return c.has_offset && c.use == FitCurve::Use::fit; }));
-}
-
 /// Standard deviation of a reading; the range of the readings' deviations if they differ.
 std::string deviation_text(const FittedCurve& c) {
   const std::vector<double>& all = c.found().deviation;
@@ -369,33 +361,61 @@ std::string deviation_text(const FittedCurve& c) {
   return least == greatest ? digits(least, 3) : fmt::format("{} to {}", digits(least, 2), digits(greatest, 2));
 }
 
-std::string fit_table(const FitResult& r) {
-  std::size_t readings = 0;
-  for (const FittedCurve& c : curves_of(r)) readings += c.is_fitted() ? c.curve().rows : 0;
-  std::string text =
-      fmt::format("{}: {} unknowns, {} readings, {} rows computed\n", words_of_text(name(r.found.status)),
-                  r.input.parameters.size() + offsets_of(r), readings, r.evaluations);
-  if (!r.has_values()) return text + warning_section(r.warnings);
-  constexpr TableRows rows{44, 13};
-  text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, " unit");
-  const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
-  for (const FittedUnknown& p : unknowns_of(r)) {
-    const auto end = [&](double estimation::Estimate::*which) {
-      return cell(p.estimate() ? std::optional((*p.estimate()).*which) : std::nullopt);
-    };
-    const std::string bound = p.found().at_bound == 0 ? "" : p.found().at_bound < 0 ? ", at `from`" : ", at `to`";
-    text += rows(fitted(printable(p.label()), 44, true),
-                 {p.found().value ? cell(p.found().value) : "not told", end(&estimation::Estimate::deviation),
-                  end(&estimation::Estimate::low), end(&estimation::Estimate::high)},
-                 " " + p.unit() + bound);
-  }
-  for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
-    if (const FitDirection d{&r, k}; d.combination())
-      text += wrapped("told: " + d.text() +
-                          (d.has_spread() ? fmt::format(", {:g} % from {:.6g} to {:.6g}", 100.0 * r.input.level,
-                                                        d.combination()->low, d.combination()->high)
-                                          : ""),
-                      "  ", kTableWidth);
+using Cells = std::vector<std::string>;
+
+std::string cell(std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); }
+
+/// Label, value, deviation, ends of the interval, unit.
+Cells cells_of(const FittedUnknown& p) {
+  const auto end = [&](double estimation::Estimate::*which) {
+    return cell(p.estimate() ? std::optional((*p.estimate()).*which) : std::nullopt);
+  };
+  return {p.label(),
+          p.found().value ? cell(p.found().value) : "not told",
+          end(&estimation::Estimate::deviation),
+          end(&estimation::Estimate::low),
+          end(&estimation::Estimate::high),
+          p.unit()};
+}
+
+/// Name, rows, deviation, rms, R², probability of the runs, unit.
+Cells cells_of(const FittedCurve& c) {
+  const estimation::CurveResult& f = c.found();
+  return {c.curve().name + (c.is_fitted() ? "" : " (compared)"),
+          std::to_string(c.curve().rows),
+          deviation_text(c),
+          is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
+          fixed(f.r_squared, 1.0, 5),
+          fixed(f.runs ? std::optional(f.runs->p_value) : std::nullopt, 100.0, 1),
+          c.curve().unit};
+}
+
+/// Conditions, value, deviation, ends of the band, unit: the first rows.
+std::vector<Cells> cells_of(const FittedBand& c, std::size_t most) {
+  const estimation::CurveResult& f = c.found();
+  std::vector<Cells> rows;
+  for (std::size_t i = 0; i < std::min(f.low.size(), most); ++i)
+    rows.push_back({row_text(c.curve(), i), cell(f.fitted[i]), cell(f.band_deviation[i]), cell(f.low[i]),
+                    cell(f.high[i]), c.curve().unit});
+  return rows;
+}
+
+/// The row of a table on a terminal, with the unit as its remark.
+std::string text_row(const TableRows& layout, Cells cells, const std::string& remark = {}) {
+  const std::string label = cells.front(), unit = cells.back();
+  return layout(fitted(printable(label), layout.label_width, true), {cells.begin() + 1, cells.end() - 1},
+                " " + unit + remark);
+}
+
+/// Combinations that the data tell of parameters that they cannot tell apart.
+std::vector<FitDirection> combinations_of(const FitResult& r) {
+  std::vector<FitDirection> all = all_of<FitDirection>(r, r.found.unidentified.size());
+  std::erase_if(all, [](const FitDirection& d) { return !d.combination(); });
+  return all;
+}
+
+/// The three strongest correlations, a line each.
+std::string strong_correlations(const FitResult& r) {
   std::vector<std::pair<double, std::string>> strong;
   const std::vector<std::string> names = names_with_deviation(r);
   const auto& m = r.found.correlation;
@@ -405,26 +425,41 @@ std::string fit_table(const FitResult& r) {
         strong.emplace_back(-std::abs(m[a][b]),
                             fmt::format("correlation {:+.3f} of {} and {}", m[a][b], names[b], names[a]));
   std::ranges::sort(strong);
+  std::string text;
   for (const auto& [size, line] : std::span(strong).first(std::min<std::size_t>(3, strong.size())))
     text += wrapped(line, "  ", kTableWidth);
-  constexpr TableRows curves{36, 12};
-  text += "\n" + curves("curve", {"rows", "deviation", "rms", "R²", "runs p, %"}, " unit");
-  for (const FittedCurve& c : curves_of(r)) {
-    const estimation::CurveResult& f = c.found();
-    text += curves(
-        fitted(printable(c.curve().name) + (c.is_fitted() ? "" : " (compared)"), 36, true),
-        {std::to_string(c.curve().rows), deviation_text(c), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
-         f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
-         f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent)},
-        " " + c.curve().unit);
+  return text;
+}
+
+std::string level_text(const FitResult& r) { return fmt::format("{:g} % from", 100.0 * r.input.level); }
+
+std::string fit_table(const FitResult& r) {
+  std::size_t readings = 0;
+  for (const FittedCurve& c : curves_of(r)) readings += c.is_fitted() ? c.curve().rows : 0;
+  std::string text = fmt::format("{}: {} unknowns, {} readings, {} rows computed\n",
+                                 words_of_text(name(r.found.status)), r.found.unknowns.size(), readings, r.evaluations);
+  if (!r.has_values()) return text + warning_section(r.warnings);
+  constexpr TableRows values{44, 13}, curves{36, 12};
+  text += "\n" + text_row(values, {"", "value", "deviation", level_text(r), "to", "unit"});
+  for (const FittedUnknown& p : unknowns_of(r)) {
+    const int at = p.found().at_bound;
+    text += text_row(values, cells_of(p), at == 0 ? "" : at < 0 ? ", at `from`" : ", at `to`");
   }
-  for (const FittedCurve& c : bands_of(r)) {
-    const estimation::CurveResult& f = c.found();
-    text += "\n" + rows(fitted(printable(c.curve().name), 44, true), {"value", "deviation", "from", "to"},
-                        " " + c.curve().unit);
-    for (std::size_t i = 0; i < std::min<std::size_t>(f.low.size(), 12); ++i)
-      text += rows(fitted(row_text(c.curve(), i), 44, true),
-                   {cell(f.fitted[i]), cell(f.band_deviation[i]), cell(f.low[i]), cell(f.high[i])});
+  for (const FitDirection& d : combinations_of(r))
+    text += wrapped("told: " + d.text() +
+                        (d.has_spread() ? fmt::format(", {} {:.6g} to {:.6g}", level_text(r), d.combination()->low,
+                                                      d.combination()->high)
+                                        : ""),
+                    "  ", kTableWidth);
+  text += strong_correlations(r);
+  text += "\n" + text_row(curves, {"curve", "rows", "deviation", "rms", "R²", "runs p, %", "unit"});
+  for (const FittedCurve& c : curves_of(r)) text += text_row(curves, cells_of(c));
+  for (const FittedBand& c : bands_of(r)) {
+    text += "\n" + text_row(values, {c.curve().name, "value", "deviation", "from", "to", c.curve().unit});
+    for (Cells& row : cells_of(c, 12)) {
+      row.back().clear();
+      text += text_row(values, row);
+    }
   }
   if (r.found.p_value)
     text += fmt::format("\nchi-square {:.4g}, reduced {:.4g}, probability of more {:.3g} %\n", *r.found.chi_square,
@@ -434,40 +469,18 @@ std::string fit_table(const FitResult& r) {
 
 /// The table as rows for the page.
 PageSection fit_section(const FitResult& r) {
-  PageSection page;
-  const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
-  PageTable values{
-      "Values", {"", "Value", "Deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "To", "Unit"}, {}};
-  for (const FittedUnknown& p : unknowns_of(r)) {
-    const auto& e = p.estimate();
-    const auto end = [&](double estimation::Estimate::*which) {
-      return cell(e ? std::optional((*e).*which) : std::nullopt);
-    };
-    values.rows.push_back({p.label(), p.found().value ? cell(p.found().value) : "not told",
-                           end(&estimation::Estimate::deviation), end(&estimation::Estimate::low),
-                           end(&estimation::Estimate::high), p.unit()});
-  }
+  PageTable values{"Values", {"", "Value", "Deviation", level_text(r), "To", "Unit"}, {}};
+  for (const FittedUnknown& p : unknowns_of(r)) values.rows.push_back(cells_of(p));
   PageTable curves{"Curves", {"", "Rows", "Deviation of a reading", "Rms", "R²", "Runs, p in %", "Unit"}, {}};
-  for (const FittedCurve& c : curves_of(r)) {
-    const estimation::CurveResult& f = c.found();
-    curves.rows.push_back({c.curve().name + (c.is_fitted() ? "" : " (compared)"), std::to_string(c.curve().rows),
-                           deviation_text(c), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
-                           f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
-                           f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent), c.curve().unit});
-  }
-  page.tables = {std::move(values), std::move(curves)};
+  for (const FittedCurve& c : curves_of(r)) curves.rows.push_back(cells_of(c));
   PageTable told{"What the data tell", {"", "Deviation"}, {}};
-  for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
-    if (const FitDirection d{&r, k}; d.combination())
-      told.rows.push_back({d.text(), d.has_spread() ? cell(d.combination()->deviation) : std::string(kAbsent)});
+  for (const FitDirection& d : combinations_of(r))
+    told.rows.push_back({d.text(), d.has_spread() ? cell(d.combination()->deviation) : std::string(kAbsent)});
+  PageSection page;
+  page.tables = {std::move(values), std::move(curves)};
   if (!told.rows.empty()) page.tables.push_back(std::move(told));
-  for (const FittedBand& c : bands_of(r)) {
-    PageTable band{c.curve().name, {"", "Value", "Deviation", "From", "To", "Unit"}, {}};
-    for (std::size_t i = 0; i < std::min<std::size_t>(c.found().low.size(), 50); ++i)
-      band.rows.push_back({row_text(c.curve(), i), cell(c.found().fitted[i]), cell(c.found().band_deviation[i]),
-                           cell(c.found().low[i]), cell(c.found().high[i]), c.curve().unit});
-    page.tables.push_back(std::move(band));
-  }
+  for (const FittedBand& c : bands_of(r))
+    page.tables.push_back({c.curve().name, {"", "Value", "Deviation", "From", "To", "Unit"}, cells_of(c, 50)});
   return page;
 }
 

@@ -1,5 +1,4 @@
 #include <mutex>
-#include <numeric>
 
 #include "modules/fit/fit.h"
 #include "modules/response/response_analysis.h"
@@ -7,6 +6,7 @@
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
+#include "prs/input/readings.h"
 #include "prs/losses/preload_analysis.h"
 #include "prs/optimize/optimizer.h"
 #include "prs/preload/preload_record.h"
@@ -122,64 +122,12 @@ struct FitEvaluation::Parts {
   void prepare(Group& group) {
     input::ErrorList errors(input.source);
     const input::CaseFile file = read_case_file(group.input.base, errors);
-    const FitCurve& first = input.curves[group.curves[0]];
-    if (errors.empty()) {
-      const Case base = first_case(file, group, errors);
-      const double period = period_of(base, first.series);
-      const bool is_in_time = first.series.ends_with(".time_s");
-      if (is_in_time && period == 0.0)
-        input::fail_at(input.source, first.at + ".response",
-                       "got {} of a case without a duty; expected `heat.duty`; add for example `duty: [{{load_case: "
-                       "{}, duration: 60 min}}, {{rest: 12 h}}]`",
-                       first.response, base.load_cases.empty() ? "run" : base.load_cases[0].name);
-      for (const std::size_t c : group.curves)
-        for (std::size_t i = 0; is_in_time && i < input.curves[c].rows; ++i)
-          if (const double t = input.curves[c].places[i]; !(t >= 0.0 && t <= period * (1.0 + 1e-12)))
-            throw input::InputError(fmt::format(
-                "{}:{}:{}: error: {}: got {:g} s; expected a time of the period, 0 to {:g} s; fix or delete the row",
-                name_in_messages(input.curves[c].file, input.source), input.curves[c].lines[i],
-                input.curves[c].columns[i], first.series, t, period));
-    }
+    if (errors.empty()) check_times(group, first_case(file, group, errors));
     errors.throw_if_any();
     sort_once(group.places);
-    std::map<std::vector<std::string>, std::size_t> known;
-    std::vector<std::map<std::string, std::size_t>> levels(first.conditions.size());
-    for (const std::size_t c : group.curves) {
-      const FitCurve& curve = input.curves[c];
-      auto& design_of = group.design_of.emplace_back();
-      auto& place_of = group.place_of.emplace_back();
-      for (std::size_t i = 0; i < curve.rows; ++i) {
-        if (!curve.series.empty()) {
-          place_of.push_back(
-              static_cast<std::size_t>(std::ranges::lower_bound(group.places, curve.places[i]) - group.places.begin()));
-        }
-        std::vector<std::string> texts;
-        for (const FitCondition& condition : curve.conditions) texts.push_back(condition.texts[i]);
-        const auto [at, is_new] = known.try_emplace(texts, group.designs.size());
-        design_of.push_back(at->second);
-        if (!is_new) continue;
-        std::vector<Draw>& draws = group.designs.emplace_back();
-        for (std::size_t j = 0; j < texts.size(); ++j) {
-          if (!curve.conditions[j].unit.empty()) {
-            draws.push_back({.kind = Draw::Kind::number, .number = *input::parse_number(texts[j])});
-            continue;
-          }
-          Factor& its = group.input.study.factors[input.parameters.size() + j];
-          const auto [level, is_new_level] = levels[j].try_emplace(texts[j], its.levels.size());
-          if (is_new_level) its.levels.push_back({texts[j], input::parse_number(texts[j])});
-          draws.push_back({.kind = Draw::Kind::level, .level = level->second});
-        }
-      }
-    }
-    for (std::size_t j = 0; j < group.input.study.factors.size(); ++j) {
-      Factor& f = group.input.study.factors[j];
-      const Draw* draw = j < input.parameters.size() ? nullptr : &group.designs[0][j - input.parameters.size()];
-      const double number = draw ? draw->number : input.parameters[j].start;
-      f.base = draw && draw->kind == Draw::Kind::level
-                   ? f.levels[draw->level]
-                   : Level{f.unit.empty() ? fmt::format("{}", number) : fmt::format("{} {}", number, f.unit), number};
-      if (f.levels.empty()) f.distribution = {Distribution::Kind::uniform, number, number};
-    }
+    set_designs(group);
+    set_bases(group);
+    const FitCurve& first = first_curve(group);
     try {
       if (first.series.empty() && first.command != Command::preload)
         group.engine = std::make_unique<DesignEngine>(group.input, simd::InstructionSet::best, Arrays::refused);
@@ -188,11 +136,77 @@ struct FitEvaluation::Parts {
     } catch (const UnknownResponse& error) {
       // Known responses may have no result at the start.
       const FitCurve& curve = input.curves[group.curves[error.index()]];
-      if (curve.is_usual_command && result_number(curve.response)) {
-        group.without_answer = "no " + curve.response;
-        return;
+      if (!curve.is_usual_command || !result_number(curve.response))
+        input::fail_at(input.source, curve.at + ".response", error.what());
+      group.without_answer = "no " + curve.response;
+    }
+  }
+
+  const FitCurve& first_curve(const Group& group) const { return input.curves[group.curves[0]]; }
+
+  /// Series in time stand within the period of the case.
+  void check_times(const Group& group, const Case& base) const {
+    const FitCurve& first = first_curve(group);
+    if (!first.series.ends_with(".time_s")) return;
+    const double period = period_of(base, first.series);
+    if (period == 0.0)
+      input::fail_at(input.source, first.at + ".response",
+                     "got {} of a case without a duty; expected `heat.duty`; add for example `duty: [{{load_case: "
+                     "{}, duration: 60 min}}, {{rest: 12 h}}]`",
+                     first.response, base.load_cases.empty() ? "run" : base.load_cases[0].name);
+    for (const std::size_t c : group.curves) {
+      const FitCurve& curve = input.curves[c];
+      for (std::size_t i = 0; i < curve.rows; ++i)
+        if (const double t = curve.places[i]; !(t >= 0.0 && t <= period * (1.0 + 1e-12)))
+          throw input::InputError(fmt::format(
+              "{}:{}:{}: error: {}: got {:g} s; expected a time of the period, 0 to {:g} s; fix or delete the row",
+              name_in_messages(curve.file, input.source), curve.lines[i], curve.columns[i], first.series, t, period));
+    }
+  }
+
+  /// Numbers the conditions of all rows, each once.
+  void set_designs(Group& group) const {
+    std::map<std::vector<std::string>, std::size_t> known;
+    for (const std::size_t c : group.curves) {
+      const FitCurve& curve = input.curves[c];
+      auto& design_of = group.design_of.emplace_back();
+      auto& place_of = group.place_of.emplace_back();
+      for (std::size_t i = 0; i < curve.rows; ++i) {
+        if (!curve.series.empty())
+          place_of.push_back(
+              static_cast<std::size_t>(std::ranges::lower_bound(group.places, curve.places[i]) - group.places.begin()));
+        const auto texts = each(curve.conditions, [&](const FitCondition& condition) { return condition.texts[i]; });
+        const auto [at, is_new] = known.try_emplace(texts, group.designs.size());
+        design_of.push_back(at->second);
+        if (is_new) group.designs.push_back(conditions_of(group, curve, texts));
       }
-      input::fail_at(input.source, input.curves[group.curves[error.index()]].at + ".response", error.what());
+    }
+  }
+
+  /// Draws of the conditions of a row; words become levels.
+  std::vector<Draw> conditions_of(Group& group, const FitCurve& curve, const std::vector<std::string>& texts) const {
+    std::vector<Draw> draws;
+    for (std::size_t j = 0; j < texts.size(); ++j) {
+      if (!curve.conditions[j].unit.empty()) {
+        draws.push_back({.kind = Draw::Kind::number, .number = *input::parse_number(texts[j])});
+        continue;
+      }
+      std::vector<Level>& levels = group.input.study.factors[input.parameters.size() + j].levels;
+      const auto level = std::ranges::find(levels, texts[j], &Level::text);
+      draws.push_back({.kind = Draw::Kind::level, .level = static_cast<std::size_t>(level - levels.begin())});
+      if (level == levels.end()) levels.push_back({texts[j], input::parse_number(texts[j])});
+    }
+    return draws;
+  }
+
+  void set_bases(Group& group) const {
+    for (std::size_t j = 0; j < group.input.study.factors.size(); ++j) {
+      Factor& f = group.input.study.factors[j];
+      const Draw* draw = j < input.parameters.size() ? nullptr : &group.designs[0][j - input.parameters.size()];
+      const double number = draw ? draw->number : input.parameters[j].start;
+      f.base = draw && draw->kind == Draw::Kind::level ? f.levels[draw->level]
+                                                       : Level{input::with_unit(number, f.unit), number};
+      if (f.levels.empty()) f.distribution = {Distribution::Kind::uniform, number, number};
     }
   }
 
@@ -213,8 +227,8 @@ struct FitEvaluation::Parts {
 
   /// Checks that a design which no study can run has its responses.
   void check_document(Group& group) {
-    const std::string& series = input.curves[group.curves[0]].series;
-    if (series == "response.time_s") return;  // Its keys are known.
+    const std::string& series = first_curve(group).series;
+    if (series == "response.time_s") return;  // Keys of the series are known.
     if (series == "heat_cycle.time_s") {
       for (std::size_t k = 0; k < group.curves.size(); ++k)
         if (part_of(group.input.study.responses[k]) == nullptr)
@@ -291,7 +305,7 @@ struct FitEvaluation::Parts {
     DesignReader reader = borrowed(group);
     try {
       Case& c = reader.read(draws);
-      if (const std::string& series = input.curves[group.curves[0]].series; series == "heat_cycle.time_s")
+      if (const std::string& series = first_curve(group).series; series == "heat_cycle.time_s")
         set_cycle(group, c, parameters_of_losses(draws), found, rows);
       else if (series == "response.time_s")
         set_response(group, c, rows);
@@ -362,6 +376,34 @@ struct FitEvaluation::Parts {
     if (group.places.empty() && !result.converged()) rows.reason = "preload did not converge";
   }
 
+  /// Of designs that no study runs. One of each kind of losses goes first, the others take its tables: the
+  /// same with any threads.
+  std::vector<RowsOfDesign> computed_alone(Group& group, const std::vector<std::vector<Draw>>& designs) {
+    std::vector<RowsOfDesign> all(designs.size());
+    std::vector<DutyLosses> found(designs.size());
+    std::vector<std::size_t> later;
+    const bool has_losses = first_curve(group).series == "heat_cycle.time_s";
+    if (group.losses.size() > 64) group.losses.clear();
+    const auto keep_losses = [&](std::size_t k) {
+      if (!found[k].tables.empty()) group.losses[parameters_of_losses(designs[k])] = std::move(found[k]);
+    };
+    for (std::size_t k = 0; k < designs.size(); ++k) {
+      if (!has_losses || group.losses.contains(parameters_of_losses(designs[k]))) {
+        later.push_back(k);
+        continue;
+      }
+      all[k] = rows_of(group, designs[k], &found[k]);
+      keep_losses(k);
+    }
+    run_in_order(later.size(), threads, [&](std::size_t at) -> std::function<void()> {
+      const std::size_t k = later[at];
+      auto rows = std::make_shared<RowsOfDesign>(rows_of(group, designs[k], &found[k]));
+      return [&all, k, rows] { all[k] = std::move(*rows); };
+    });
+    std::ranges::for_each(later, keep_losses);
+    return all;
+  }
+
   std::vector<RowsOfDesign> computed(Group& group, const std::vector<std::vector<Draw>>& designs) {
     std::vector<RowsOfDesign> all(designs.size());
     if (!group.without_answer.empty()) {
@@ -369,34 +411,8 @@ struct FitEvaluation::Parts {
       return all;
     }
     if (!group.engine) {
-      std::vector<DutyLosses> found(designs.size());
-      // One design of each kind of losses is computed first, the others use its tables: the results are the same for
-      // any number of threads.
-      std::vector<std::size_t> order;
-      if (input.curves[group.curves[0]].series == "heat_cycle.time_s") {
-        if (group.losses.size() > 64) group.losses.clear();
-        for (std::size_t k = 0; k < designs.size(); ++k) {
-          const std::vector<double> key = parameters_of_losses(designs[k]);
-          if (group.losses.contains(key)) {
-            order.push_back(k);
-            continue;
-          }
-          all[k] = rows_of(group, designs[k], &found[k]);
-          if (!found[k].tables.empty()) group.losses[key] = std::move(found[k]);
-        }
-      } else {
-        order.resize(designs.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-      }
-      run_in_order(order.size(), threads, [&](std::size_t at) -> std::function<void()> {
-        const std::size_t k = order[at];
-        auto rows = std::make_shared<RowsOfDesign>(rows_of(group, designs[k], &found[k]));
-        return [&all, k, rows] { all[k] = std::move(*rows); };
-      });
-      for (const std::size_t k : order)
-        if (!found[k].tables.empty()) group.losses[parameters_of_losses(designs[k])] = std::move(found[k]);
       evaluated += designs.size() * std::max<std::size_t>(group.places.size(), 1);
-      return all;
+      return computed_alone(group, designs);
     }
     const RowBlock block = evaluate_in_parallel(*group.engine, threads)(designs);
     evaluated += designs.size();

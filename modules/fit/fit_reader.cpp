@@ -52,11 +52,9 @@ void add_numbers(const Node& node, const std::string& path, std::vector<std::str
   }
 }
 
-constexpr std::pair<std::string_view, Command> kCommands[] = {
-    {"slip.", Command::slip},       {"heat.", Command::slip},       {"heat_cycle.", Command::slip},
-    {"preload.", Command::preload}, {"life.", Command::life},       {"measures.", Command::measures},
-    {"contact.", Command::contact}, {"threads.", Command::contact}, {"response.", Command::response},
-};
+/// Commands whose responses curves may have; a response whose block names none is of `solve`.
+constexpr Command kCommands[] = {Command::contact, Command::solve,    Command::slip,    Command::preload,
+                                 Command::life,    Command::measures, Command::response};
 
 constexpr std::string_view kResponseTime = "response.time_s";
 
@@ -124,24 +122,9 @@ class FitReader : input::VariedInput {
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
     if (!check_outside("path", item.path)) errors_.throw_if_any();
     p.path = as_in_file(p.path);
-    if (CaseFile known = file_; find_slot(known, p.path).kind == input::Slot::Kind::none && wrong(p.path, item.from)) {
-      std::set<std::string> all;
-      std::vector<std::string> stated;
-      add_numbers(base_, "", stated);
-      all.insert(stated.begin(), stated.end());
-      for (const input::EchoEntry& entry : fields_)
-        if (entry.number) all.insert(entry.path);
-      for (const input::InputKey& key : input::input_keys()) all.insert(key.path);
-      std::erase_if(all, [&](const std::string& one) {
-        CaseFile of_one = file_;  // A path to one law hides those to others.
-        return find_slot(of_one, one).kind != input::Slot::Kind::number;
-      });
-      const std::vector<std::string_view> near = input::near_words(p.path, {all.begin(), all.end()});
-      fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
-           near.empty() ? "state the block that has it, or write for example `path: materials.youngs_modulus`"
-                        : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
-    }
-    if (CaseFile known = file_; !is_of_numbers(find_slot(known, p.path).kind)) fail_as_no_number(item.path);
+    const input::Slot::Kind kind = kind_of(p.path);
+    if (kind == input::Slot::Kind::none && wrong(p.path, item.from)) fail_as_unknown(p.path, item.path);
+    if (kind != input::Slot::Kind::number && kind != input::Slot::Kind::none) fail_as_no_number(item.path);
     for (const char* end : {".from", ".to"})
       if (!check_in_place(p.path, *find_path(root_, path_ + end))) errors_.throw_if_any();
     const input::Slot slot = find_slot(file_, p.path);
@@ -151,6 +134,33 @@ class FitReader : input::VariedInput {
     p.is_log = item.scale == FitParameterItem::Scale::log;
     p.from = from->number;
     p.to = number(item.to, p.unit, "to", "`from`");
+    check_range(p, item, slot);
+    read_start(p, item);
+    if (item.prior) read_prior(p, *item.prior, slot);
+    return p;
+  }
+
+  /// A path to one law hides those to others.
+  input::Slot::Kind kind_of(const std::string& path) const {
+    CaseFile file = file_;
+    return find_slot(file, path).kind;
+  }
+
+  [[noreturn]] void fail_as_unknown(const std::string& path, const std::string& written) const {
+    std::vector<std::string> stated;
+    add_numbers(base_, "", stated);
+    std::set<std::string> all(stated.begin(), stated.end());
+    for (const input::EchoEntry& entry : fields_)
+      if (entry.number) all.insert(entry.path);
+    for (const input::InputKey& key : input::input_keys()) all.insert(key.path);
+    std::erase_if(all, [&](const std::string& one) { return kind_of(one) != input::Slot::Kind::number; });
+    const std::vector<std::string_view> near = input::near_words(path, {all.begin(), all.end()});
+    fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(written),
+         near.empty() ? "state the block that has it, or write for example `path: materials.youngs_modulus`"
+                      : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
+  }
+
+  void check_range(const FitParameter& p, const FitParameterItem& item, const input::Slot& slot) const {
     if (!(p.from < p.to))
       fail(path_ + ".from", "got {}; expected less than `to`, {}; {}", shown(item.from), shown(item.to),
            p.from == p.to ? "write two different ones" : "swap the two");
@@ -159,6 +169,9 @@ class FitReader : input::VariedInput {
     else if (p.is_log && !(p.from > 0.0))
       fail(path_ + ".from", "got {} with `scale: log`; expected more than 0; write a larger one, or `scale: linear`",
            shown(item.from));
+  }
+
+  void read_start(FitParameter& p, const FitParameterItem& item) const {
     const std::optional<Node> stands = base_value(p.path, fields_);
     if (stands && find_path(base_, p.path)) p.stood = flow_text(*stands);
     const std::optional<double> there = stands ? input::number_in(unquoted(flow_text(*stands)), p.unit) : std::nullopt;
@@ -173,17 +186,12 @@ class FitReader : input::VariedInput {
            "for example `start: {}`",
            shown(item.path), shown(item.from));
     }
-    if (p.from < p.to && !(p.start >= p.from && p.start <= p.to))
+    if (!(p.start >= p.from && p.start <= p.to))
       fail(path_ + (item.start ? ".start" : ".path"), "got {}{} of {}; expected {} to {}; {}",
            item.start ? "" : "the start ", with_unit(p.start, p.unit), shown(item.path), item.from, item.to,
            item.start ? "write one between them" : "widen the bounds, or add `start`");
-    if (item.prior) read_prior(p, *item.prior, slot);
-    return p;
   }
 
-  static bool is_of_numbers(input::Slot::Kind kind) {
-    return kind == input::Slot::Kind::number || kind == input::Slot::Kind::none;
-  }
   [[noreturn]] void fail_as_no_number(const std::string& path) const {
     fail(path_ + ".path",
          "got {}; expected one number that may vary continuously: no list, word or whole number; write for example "
@@ -246,19 +254,14 @@ class FitReader : input::VariedInput {
     const auto clashes = [&](const std::string& other) {
       return other == path || input::is_part_of(other, path) || input::is_part_of(path, other);
     };
-    for (const FitCondition& condition : c.conditions)
-      if (clashes(condition.path)) fail_twice(path, condition.path);
-    for (const auto& [other, value] : c.constants)
-      if (clashes(other)) fail_twice(path, other);
-    for (const FitParameter& p : parameters)
-      if (p.path == path || input::is_part_of(p.path, path) || input::is_part_of(path, p.path))
-        fail(path_ + ".path", "got {}, which is a parameter too; expected it once; delete one of the two", shown(path));
+    std::vector<std::string> others = each(c.conditions, &FitCondition::path);
+    for (const auto& [other, value] : c.constants) others.push_back(other);
+    if (const auto other = std::ranges::find_if(others, clashes); other != others.end())
+      fail(path_ + ".path", "got {} {}; expected each input once in a curve; delete one of the two", shown(path),
+           path == *other ? "a second time" : "as well as " + shown(*other));
+    if (std::ranges::any_of(parameters, clashes, &FitParameter::path))
+      fail(path_ + ".path", "got {}, which is a parameter too; expected it once; delete one of the two", shown(path));
     if (!check_outside("path", path)) errors_.throw_if_any();
-  }
-
-  [[noreturn]] void fail_twice(const std::string& path, const std::string& other) const {
-    fail(path_ + ".path", "got {} {}; expected each input once in a curve; delete one of the two", shown(path),
-         path == other ? "a second time" : "as well as " + shown(other));
   }
 
   /// Sets a value that is the same in all rows.
@@ -274,13 +277,14 @@ class FitReader : input::VariedInput {
     std::string_view rest = response;
     if (rest.starts_with("load_cases["))
       if (const std::size_t dot = rest.find("]."); dot != rest.npos) rest.remove_prefix(dot + 2);
-    Command command = Command::solve;
-    for (const auto& [head, its] : kCommands)
-      if (rest.starts_with(head)) command = its;
-    if (!written) return command;
-    for (const Command one : {Command::contact, Command::solve, Command::slip, Command::preload, Command::life,
-                              Command::measures, Command::response})
-      if (one.word == *written) return one;
+    const std::string_view block = rest.substr(0, std::min(rest.find('.'), rest.size()));
+    const std::string_view word = written                     ? *written
+                                  : block.starts_with("heat") ? "slip"
+                                  : block == "threads"        ? "contact"
+                                                              : block;
+    const auto found = std::ranges::find(kCommands, word, &Command::word);
+    if (found != std::end(kCommands)) return *found;
+    if (!written) return Command::solve;
     fail(at + ".command", "got {}; expected contact, solve, slip, preload, life, measures or response; delete the key",
          shown(*written));
   }
@@ -308,18 +312,53 @@ class FitReader : input::VariedInput {
     const std::size_t measured = table.column(item.measured.column.value_or("measured"), at + ".measured.column");
     const Conversion to_unit = unit_at(item.measured.unit.value_or(""), c.unit, at + ".measured", c.response);
 
-    struct Column {
-      std::size_t field = 0;
-      std::size_t condition = 0;
-      input::Slot slot;
-      const input::Unit* unit = nullptr;
-    };
+    std::vector<Column> columns = read_conditions(c, item, table, before.parameters);
+    std::optional<std::size_t> place;
+    Conversion to_place;
+    if (item.along) {
+      place = table.column(item.along->column, at + ".along.column");
+      to_place = unit_at(item.along->unit, c.series.ends_with("_s") ? "s" : "N", at + ".along", c.series);
+    }
+    const Deviation deviation = read_deviation(item, c, table);
+    while (table.next()) {
+      if (++rows_ > kMostRows)
+        fail(at + ".file", "got more than {} rows in all; expected at most as many; leave some out", kMostRows);
+      c.lines.push_back(table.line());
+      c.measured.push_back(to_unit(table.number(measured)));
+      if (place) {
+        c.places.push_back(to_place(table.number(*place)));
+        c.columns.push_back(table.column_at(*place));
+      }
+      if (deviation.column || deviation.fixed) c.deviation.push_back(deviation_of_row(deviation, c, table, measured));
+      for (std::size_t j = 0; j < columns.size(); ++j) read_condition(c.conditions[j], columns[j], table);
+    }
+    c.rows = c.measured.size();
+    if (c.rows == 0) table.refuse_file("which has no rows");
+    for (const FitCondition& condition : c.conditions)
+      set_value(c.base, condition.path, input::scalar(joined(condition.texts[0], condition.unit), {}), {}, errors_);
+    const auto [least, greatest] = std::ranges::minmax(c.measured);
+    if (c.has_offset && least == greatest)
+      fail(at + ".offset", "got true of a curve whose readings are all equal; expected two different ones; delete it");
+    return c;
+  }
+
+  /// A column of readings that sets an input.
+  struct Column {
+    std::size_t field = 0;
+    std::string at;  ///< Path of the condition.
+    input::Slot slot = {};
+    const input::Unit* unit = nullptr;
+    std::set<std::string> sound = {};  ///< Words that were tried.
+  };
+
+  std::vector<Column> read_conditions(FitCurve& c, const FitCurveItem& item, const Readings& table,
+                                      const std::vector<FitParameter>& parameters) {
     std::vector<Column> columns;
     for (std::size_t j = 0; j < item.conditions.size(); ++j) {
       const FitConditionItem& condition = item.conditions[j];
-      path_ = fmt::format("{}.conditions[{}]", at, j);
+      path_ = fmt::format("{}.conditions[{}]", c.at, j);
       const std::string path = as_in_file(input::with_indices(root_, condition.path));
-      check_condition(c, path, before.parameters);
+      check_condition(c, path, parameters);
       if (condition.values || condition.value.has_value() == condition.column.has_value())
         fail(path_,
              "got neither or both of `column` and `value`; expected one of them; write `value: ..`, or `column` and "
@@ -330,71 +369,32 @@ class FitReader : input::VariedInput {
       }
       if (item.along)
         fail(path_ + ".column", "got a column of a series; expected the same value in all rows; write `value: ..`");
-      columns.push_back({.field = table.column(*condition.column, path_ + ".column"), .condition = j, .slot = {}});
+      columns.push_back({table.column(*condition.column, path_ + ".column"), path_});
       c.conditions.push_back({path, condition.unit.value_or(""), {}});
     }
-    // Columns of the abscissa and of the uncertainty of a reading.
-    std::optional<std::size_t> place, spread;
-    Conversion to_place, to_spread;
-    if (item.along) {
-      place = table.column(item.along->column, at + ".along.column");
-      to_place = unit_at(item.along->unit, c.series.ends_with("_s") ? "s" : "N", at + ".along", c.series);
-    }
-    bool share = false;
-    std::optional<double> fixed;
-    read_deviation(item, c, at, table, spread, fixed, share, to_spread);
+    return columns;
+  }
 
-    std::map<std::pair<std::size_t, std::string>, bool> sound;
-    while (table.next()) {
-      if (++rows_ > kMostRows)
-        fail(at + ".file", "got more than {} rows in all; expected at most as many; leave some out", kMostRows);
-      c.lines.push_back(table.line());
-      const double reading = to_unit(table.number(measured));
-      c.measured.push_back(reading);
-      if (place) {
-        c.places.push_back(to_place(table.number(*place)));
-        c.columns.push_back(table.column_at(*place));
-      }
-      if (spread || fixed) {
-        const double one = spread ? table.number(*spread) : *fixed;
-        const double deviation = share ? 0.01 * one * std::abs(reading) : to_spread.factor * one;
-        if (!(deviation > 0.0))
-          table.refuse(spread.value_or(measured),
-                       share && reading == 0.0 ? "a share of a reading of 0" : fmt::format("{}", one),
-                       "a deviation above 0");
-        c.deviation.push_back(deviation);
-      }
-      for (std::size_t j = 0; j < columns.size(); ++j) {
-        Column& column = columns[j];
-        FitCondition& condition = c.conditions[j];
-        path_ = fmt::format("{}.conditions[{}]", at, column.condition);
-        std::string text = table.text(column.field);
-        if (condition.texts.empty()) prepare(condition, text, column.slot, column.unit);
-        if (!condition.unit.empty()) {
-          const double value = table.number(column.field);
-          if (column.unit && !input::slot_value(column.slot, value, column.unit))
-            table.refuse(column.field, with_unit(value, condition.unit),
-                         wrong(condition.path, with_unit(value, condition.unit)).value_or("another value"));
-          text = fmt::format("{}", value);
-        } else if (auto [known, is_new] = sound.try_emplace({j, text}, true); is_new) {
-          if (text.empty()) table.refuse(column.field, "nothing", "a value");
-          if (const auto problem = wrong(condition.path, text)) {
-            const std::size_t at_expected = problem->find("; expected ");
-            table.refuse(column.field, shown(text),
-                         at_expected == problem->npos ? *problem : problem->substr(at_expected + 11));
-          }
-        }
-        condition.texts.push_back(std::move(text));
+  void read_condition(FitCondition& condition, Column& column, const Readings& table) {
+    path_ = column.at;
+    std::string text = table.text(column.field);
+    if (condition.texts.empty()) prepare(condition, text, column.slot, column.unit);
+    if (!condition.unit.empty()) {
+      const double value = table.number(column.field);
+      const std::string written = with_unit(value, condition.unit);
+      if (column.unit && !input::slot_value(column.slot, value, column.unit))
+        table.refuse(column.field, written, wrong(condition.path, written).value_or("another value"));
+      text = fmt::format("{}", value);
+    } else if (column.sound.insert(text).second) {
+      if (text.empty()) table.refuse(column.field, "nothing", "a value");
+      constexpr std::string_view kExpected = "; expected ";
+      if (std::optional<std::string> problem = wrong(condition.path, text)) {
+        if (const std::size_t at = problem->find(kExpected); at != problem->npos)
+          problem->erase(0, at + kExpected.size());
+        table.refuse(column.field, shown(text), *problem);
       }
     }
-    c.rows = c.measured.size();
-    if (c.rows == 0) table.refuse_file("which has no rows");
-    for (const FitCondition& condition : c.conditions)
-      set_value(c.base, condition.path, input::scalar(joined(condition.texts[0], condition.unit), {}), {}, errors_);
-    const auto [least, greatest] = std::ranges::minmax(c.measured);
-    if (c.has_offset && least == greatest)
-      fail(at + ".offset", "got true of a curve whose readings are all equal; expected two different ones; delete it");
-    return c;
+    condition.texts.push_back(std::move(text));
   }
 
   static std::string joined(const std::string& text, const std::string& unit) {
@@ -443,11 +443,31 @@ class FitReader : input::VariedInput {
          unit.empty() || unit == "%" ? "\"%\"" : unit, other);
   }
 
-  void read_deviation(const FitCurveItem& item, const FitCurve& c, const std::string& at, const Readings& table,
-                      std::optional<std::size_t>& column, std::optional<double>& fixed, bool& share,
-                      Conversion& to_unit) const {
-    if (!item.deviation || *item.deviation == "estimated") return;
-    const std::string key = at + ".deviation";
+  /// How well readings are known.
+  struct Deviation {
+    std::optional<std::size_t> column = {};
+    std::optional<double> fixed = {};
+    bool is_share = false;  ///< In percent of the reading.
+    Conversion to_unit = {};
+  };
+
+  /// Of the reading that was read last.
+  static double deviation_of_row(const Deviation& deviation, const FitCurve& c, const Readings& table,
+                                 std::size_t measured) {
+    const double reading = c.measured.back();
+    const double one = deviation.column ? table.number(*deviation.column) : *deviation.fixed;
+    const double value = deviation.is_share ? 0.01 * one * std::abs(reading) : deviation.to_unit.factor * one;
+    if (!(value > 0.0))
+      table.refuse(deviation.column.value_or(measured),
+                   deviation.is_share && reading == 0.0 ? "a share of a reading of 0" : fmt::format("{}", one),
+                   "a deviation above 0");
+    return value;
+  }
+
+  Deviation read_deviation(const FitCurveItem& item, const FitCurve& c, const Readings& table) const {
+    Deviation deviation;
+    if (!item.deviation || *item.deviation == "estimated") return deviation;
+    const std::string key = c.at + ".deviation";
     const Node& node = *find_path(root_, key);
     std::string unit;
     if (node.kind == Node::Kind::map) {
@@ -455,7 +475,7 @@ class FitReader : input::VariedInput {
       const bool known = its && its->kind == Node::Kind::scalar && (!in || in->kind == Node::Kind::scalar);
       if (!known || node.children.size() > (in ? 2U : 1U))
         fail(key, "got {}; expected {{column: .., unit: ..}}", shown(flow_text(node)));
-      column = table.column(its->text, key + ".column");
+      deviation.column = table.column(its->text, key + ".column");
       unit = in ? in->text : "";
     } else {
       const std::string text = unquoted(*item.deviation);
@@ -465,19 +485,21 @@ class FitReader : input::VariedInput {
              "got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or estimated; write for "
              "example `deviation: {}`",
              shown(*item.deviation), with_unit(0.05, c.unit));
-      fixed = written->number;
+      deviation.fixed = written->number;
       unit = written->unit;
-      if (!(*fixed > 0.0))
+      if (!(written->number > 0.0))
         fail(key, "got {}; expected more than 0; write for example `deviation: {}`", shown(*item.deviation),
              with_unit(0.05, c.unit));
     }
-    share = unit == "%";
-    if (share || (unit.empty() && c.unit == "%")) return;
+    deviation.is_share = unit == "%";
+    if (deviation.is_share || (unit.empty() && c.unit == "%")) return deviation;
     const auto found = conversion(unit, c.unit);
     if (!found)
-      fail(column ? key + ".unit" : key, "got {}; expected a unit of the response: {}; write for example `{}`",
+      fail(deviation.column ? key + ".unit" : key,
+           "got {}; expected a unit of the response: {}; write for example `{}`",
            unit.empty() ? "no unit" : shown(unit), units_like(c.unit), with_unit(0.05, c.unit));
-    to_unit = *found;
+    deviation.to_unit = *found;
+    return deviation;
   }
 
   void read_loss(FitCurve& c, const FitCurveItem& item) const {
@@ -613,20 +635,18 @@ class FitReader : input::VariedInput {
         fail("fit.profile",
              "got it with the robust loss of {}; expected `loss: squares` of all curves; delete one of the two",
              shown(c.name));
-    for (std::size_t k = 0; k < all.parameters.size(); ++k) {
-      if (*item_.profile == "true") all.profile.push_back(k);
+    if (*item_.profile == "true") {
+      for (std::size_t k = 0; k < all.parameters.size(); ++k) all.profile.push_back(k);
+      return;
     }
-    if (*item_.profile == "true") return;
     if (node.kind != Node::Kind::sequence)
       fail("fit.profile", "got {}; expected a list of paths of parameters, or true", shown(*item_.profile));
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const std::string path = input::with_indices(root_, node.children[i].text);
       const auto found = std::ranges::find(all.parameters, path, &FitParameter::path);
-      std::vector<std::string_view> paths;
-      for (const FitParameter& p : all.parameters) paths.push_back(p.path);
       if (found == all.parameters.end())
         fail(fmt::format("fit.profile[{}]", i), "got {}; expected the path of a parameter: {}", shown(path),
-             fmt::join(paths, ", "));
+             fmt::join(each(all.parameters, &FitParameter::path), ", "));
       all.profile.push_back(static_cast<std::size_t>(found - all.parameters.begin()));
     }
   }

@@ -69,9 +69,9 @@ struct ResponseResult {
   bool has_stops() const { return input.end_stops.upper || input.end_stops.lower; }
 };
 
-/// Curves -> equations -> integration -> results. The case must have passed `check_case` and the requirements of
-/// `response`. Throws CaseError, InputError and modules::Missing. `times`: of the samples, ascending, in place of every
-/// interval.
+/// Curves -> equations -> integration -> results. The case must have passed `check_case` and the
+/// requirements of `response`. Throws CaseError, InputError and modules::Missing. `times`: of the
+/// samples, ascending, in place of every interval.
 ResponseResult analyze_response(const Case& c, const input::Source& source, const std::vector<double>* times = nullptr);
 
 }  // namespace prs

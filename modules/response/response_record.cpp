@@ -4,15 +4,20 @@ namespace prs {
 namespace {
 
 /// Parts of the result with records of their own.
-struct EnergyOf {
+struct PartOf {
   const ResponseResult* whole = nullptr;
 };
-struct LostOf {
-  const DriveResult* run = nullptr;
-};
-struct LargestOf {
-  const ResponseResult* whole = nullptr;
-};
+struct EnergyOf : PartOf {};
+struct LostOf : PartOf {};
+struct LargestOf : PartOf {};
+
+const DriveResult& run_of(const ResponseResult& r) { return r.run; }
+const DriveResult& run_of(const PartOf& part) { return part.whole->run; }
+template <auto member, auto guard = nullptr>
+constexpr auto of_run = of < [](const auto& owner) -> const auto& {
+  return run_of(owner).*member;
+}
+, guard > ;
 
 }  // namespace
 
@@ -59,23 +64,23 @@ constexpr Quantity<LargestOf> kLargest[] = {
 };
 
 constexpr Quantity<LostOf> kLost[] = {
-    {"screw_friction", of<[](auto& l) { return l.run->screw_friction; }>, "threads and drag"},
-    {"motor_friction", of<[](auto& l) { return l.run->motor_friction; }>, "dry friction of the motor, brake"},
-    {"load_friction", of<[](auto& l) { return l.run->load_friction; }>, "dry friction of the guides"},
-    {"coupling", of<[](auto& l) { return l.run->coupling; }>, "damping of the coupling"},
-    {"contact", of<[](auto& l) { return l.run->contact; }>, "material damping of the screw"},
-    {"end_stop", of<[](auto& l) { return l.run->end_stop; }>, "damping of the end stops"},
-    {"viscous", of<[](auto& l) { return l.run->viscous; }>, "viscous damping of motor and load"},
+    {"screw_friction", of_run<&DriveResult::screw_friction>, "threads and drag"},
+    {"motor_friction", of_run<&DriveResult::motor_friction>, "dry friction of the motor, brake"},
+    {"load_friction", of_run<&DriveResult::load_friction>, "dry friction of the guides"},
+    {"coupling", of_run<&DriveResult::coupling>, "damping of the coupling"},
+    {"contact", of_run<&DriveResult::contact>, "material damping of the screw"},
+    {"end_stop", of_run<&DriveResult::end_stop>, "damping of the end stops"},
+    {"viscous", of_run<&DriveResult::viscous>, "viscous damping of motor and load"},
 };
 
 constexpr Quantity<EnergyOf> kEnergy[] = {
-    {"motor", of<[](auto& e) { return e.whole->run.motor; }>, "what the motor put in"},
-    {"load", of<[](auto& e) { return e.whole->run.load; }>, "what the external force put in"},
-    {"stored_start", of<[](auto& e) { return e.whole->run.stored_start; }>, "kinetic and elastic energy at the start"},
-    {"stored_end", of<[](auto& e) { return e.whole->run.stored_end; }>, "the same at the end"},
-    {"lost", of<[](auto& e) { return LostOf{&e.whole->run}; }>, "what friction and damping took"},
+    {"motor", of_run<&DriveResult::motor>, "what the motor put in"},
+    {"load", of_run<&DriveResult::load>, "what the external force put in"},
+    {"stored_start", of_run<&DriveResult::stored_start>, "kinetic and elastic energy at the start"},
+    {"stored_end", of_run<&DriveResult::stored_end>, "the same at the end"},
+    {"lost", of<[](auto& e) { return LostOf{e}; }>, "what friction and damping took"},
     {"residual", of<[](auto& e) { return e.whole->residual(); }>, "motor + load - change of stored energy - all lost"},
-    {"turnover", of<[](auto& e) { return e.whole->run.turnover; }>,
+    {"turnover", of_run<&DriveResult::turnover>,
      "integral of the magnitudes of both powers, plus the stored energy at the start"},
     {"residual_relative",
      of<[](auto& e) { return std::abs(e.whole->residual()) / std::max(e.whole->run.turnover, 1e-300); }>,
@@ -126,35 +131,29 @@ constexpr Quantity<FrequencyResponse> kFrequencyResponse[] = {
 constexpr Quantity<ResponseResult> kResponse[] = {
     {"converged", always<&ResponseResult::converged>, "whether the run came to its end"},
     {"status", always<[](auto& r) { return name(r.run.status); }>, "converged | step_limit | integration_failed"},
-    {"stopped_at_s", of<[](auto& r) { return r.run.stopped_at; }, [](auto& r) { return !r.converged(); }>,
+    {"stopped_at_s", of_run<&DriveResult::stopped_at, [](auto& r) { return !r.converged(); }>,
      "where a run that did not converge ended"},
     {"duration_s", of<[](auto& r) { return r.input.duration; }>, "of the run"},
-    {"time_s", of<[](auto& r) -> const std::vector<double>& { return r.run.time; }>, "of the samples"},
-    {"position_mm", of<[](auto& r) -> const std::vector<double>& { return r.run.x; }>, "of the load"},
-    {"speed_mm_per_s", of<[](auto& r) -> const std::vector<double>& { return r.run.v; }>, "of the load"},
-    {"screw_angle_deg", of<[](auto& r) -> const std::vector<double>& { return r.run.phi; }>, "not reduced by turns"},
-    {"screw_speed_rpm", of<[](auto& r) -> const std::vector<double>& { return r.run.omega; }>, "of the screw"},
-    {"motor_angle_deg", of<[](auto& r) -> const std::vector<double>& { return r.run.phi_m; }>, "not reduced by turns"},
-    {"motor_speed_rpm", of<[](auto& r) -> const std::vector<double>& { return r.run.omega_m; }>, "of the motor"},
-    {"deflection_um", of<[](auto& r) -> const std::vector<double>& { return r.run.delta; }>,
-     "of screw and shaft, > 0 in tension"},
-    {"force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.force; }>, "of the screw, > 0 in tension"},
-    {"motor_torque_Nm", of<[](auto& r) -> const std::vector<double>& { return r.run.motor_torque; }>,
-     "behind the current loop"},
-    {"coupling_torque_Nm", of<[](auto& r) -> const std::vector<double>& { return r.run.coupling_torque; }>,
-     "between motor and screw"},
-    {"external_force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.external; }>, "on the load"},
-    {"end_stop_force_N",
-     of<[](auto& r) -> const std::vector<double>& { return r.run.stop_force; }, &ResponseResult::has_stops>,
-     "magnitude"},
-    {"energy_J", of<[](auto& r) { return EnergyOf{&r}; }>, "over the whole run"},
-    {"largest", of<[](auto& r) { return LargestOf{&r}; }>, "over the whole run"},
+    {"time_s", of_run<&DriveResult::time>, "of the samples"},
+    {"position_mm", of_run<&DriveResult::x>, "of the load"},
+    {"speed_mm_per_s", of_run<&DriveResult::v>, "of the load"},
+    {"screw_angle_deg", of_run<&DriveResult::phi>, "not reduced by turns"},
+    {"screw_speed_rpm", of_run<&DriveResult::omega>, "of the screw"},
+    {"motor_angle_deg", of_run<&DriveResult::phi_m>, "not reduced by turns"},
+    {"motor_speed_rpm", of_run<&DriveResult::omega_m>, "of the motor"},
+    {"deflection_um", of_run<&DriveResult::delta>, "of screw and shaft, > 0 in tension"},
+    {"force_N", of_run<&DriveResult::force>, "of the screw, > 0 in tension"},
+    {"motor_torque_Nm", of_run<&DriveResult::motor_torque>, "behind the current loop"},
+    {"coupling_torque_Nm", of_run<&DriveResult::coupling_torque>, "between motor and screw"},
+    {"external_force_N", of_run<&DriveResult::external>, "on the load"},
+    {"end_stop_force_N", of_run<&DriveResult::stop_force, &ResponseResult::has_stops>, "magnitude"},
+    {"energy_J", of<[](auto& r) { return EnergyOf{{&r}}; }>, "over the whole run"},
+    {"largest", of<[](auto& r) { return LargestOf{{&r}}; }>, "over the whole run"},
     {"rms_motor_torque_Nm", of<&ResponseResult::rms_torque>, "root of the mean square"},
-    {"lost_motion_um", of<[](auto& r) { return r.run.lost_motion; }>,
+    {"lost_motion_um", of_run<&DriveResult::lost_motion>,
      "largest less least travel of the motor beyond that of the load"},
     {"following_error", of<&ResponseResult::following_error>, "of the controller, up to its cut"},
-    {"impacts", of<[](auto& r) -> const std::vector<DriveImpact>& { return r.run.impacts; }, &ResponseResult::can_open>,
-     "each instant at which a flank closes"},
+    {"impacts", of_run<&DriveResult::impacts, &ResponseResult::can_open>, "each instant at which a flank closes"},
     {"settling", of<&ResponseResult::settling>, "with the block `settling`"},
     {"frequency_response", of<&ResponseResult::frequency_response>, "with the block `frequency_response`"},
 };
@@ -209,6 +208,19 @@ std::vector<Headline> headlines(const ResponseResult& r) {
   return all;
 }
 
+std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase&) {
+  FoundCriterion pressure("peak_pressure"), speed("largest_speed"), compression("largest_compression");
+  for (const Direction d : kDirections)
+    if (const auto& largest = r.largest[d]; largest && largest->peak_pressure)
+      pressure.take(*largest->peak_pressure * per_si::megapascal, "response",
+                    fmt::format("largest force in {}", name(d)));
+  pressure.best.reset();  // Of load cases.
+  speed.take(r.run.largest_speed, "response");
+  if (const auto& largest = r.largest.compression; largest && largest->force != 0.0)
+    compression.take(std::abs(largest->force), "response", "largest force in compression");
+  return {pressure, speed, compression};
+}
+
 PageSection section(const ResponseResult&) {
   return {.in_document = {{"response.largest", {"tension", "compression", "motor_torque_Nm", "end_stop_force_N"}}},
           .folded = {"response_energy"},
@@ -235,6 +247,7 @@ const Analysis<ResponseResult>& response_analysis() {
       .pictures = [](const ResponseResult& r, const Case&) { return response_pictures(r); },
       .converged = [](const ResponseResult& r) { return r.converged(); },
       .headlines = headlines,
+      .criteria = criteria,
       .place = {"Response", 5},
       .section = section,
       .responses = kResponses};

@@ -58,7 +58,8 @@ int exit_status(bool converged);
 /// A text of lines as a note; none if it is empty.
 std::vector<std::string> notes_of(std::string text);
 
-/// Writes the files and pictures of a result, prints its document or table, and returns the exit status of the program.
+/// Writes the files and pictures of a result, prints its document or table, and returns the exit
+/// status of the program.
 int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options);
 
 /// Progress of a study or other work: one line on standard error that is overwritten, if that is a terminal.

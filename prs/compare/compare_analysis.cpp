@@ -71,7 +71,7 @@ std::optional<double> largest_pressure(const LoadCaseResult& result) {
   return screw && nut ? std::max(*screw, *nut) : screw ? screw : nut;
 }
 
-/// Over the best model's; absent where either is.
+/// Stiffness over the best model's; absent if either is.
 std::optional<double> stiffness_over_best(const ComparedModel& m) {
   return over(m.result().axial_stiffness, m.best().axial_stiffness);
 }
@@ -138,7 +138,7 @@ namespace {
 constexpr std::size_t kLongestName = 19;
 
 std::string comparison_row(std::initializer_list<std::string> cells) {
-  constexpr std::size_t kWidths[] = {0, 10, 10, 6, 8, 12, 12, 13, 6};  // Behind the name.
+  constexpr std::size_t kWidths[] = {0, 10, 10, 6, 8, 12, 12, 13, 6};  // Widths of the columns after the name.
   std::string line = "  ";
   std::size_t column = 0;
   for (const std::string& cell : cells) {
@@ -210,9 +210,8 @@ std::vector<double> of_most_loaded_roller(const InterfaceLoads& loads) {
   return {from, from + loads.threads_per_roller};
 }
 
-/// One line per model, that of the most loaded roller of a full mechanism, and one panel per
-/// interface; of the load case that the options choose, else of the first that every model has an
-/// answer to.
+/// One line per model, that of the most loaded roller of a full mechanism, and one panel per interface; for the load
+/// case that the options choose, else the first with a result from every model.
 Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   const auto answered = [&](std::size_t k) {
     return std::ranges::all_of(c.models, [&](const Result& model) { return model.load_cases[k].threads.has_value(); });
@@ -250,6 +249,23 @@ ModelComparison compared(const input::Source& source, const input::CaseInput& in
 }
 
 std::vector<Warning> warnings_of(const ModelComparison& r) { return all_warnings(r.warnings, r.best().load_cases); }
+
+/// The curve that leaves its tolerance most.
+std::vector<FoundCriterion> reference_criterion(const ModelComparison& c, const JudgedCase&) {
+  const ReferenceComparison* worst = nullptr;
+  const auto use = [](const ReferenceComparison& r) { return r.models[r.stated].tolerance_use.value_or(0.0); };
+  for (const ReferenceComparison& r : c.references)
+    if (r.reference.tolerance && (!worst || use(r) > use(*worst))) worst = &r;
+  if (!worst) return {};
+  FoundCriterion found("reference");
+  if (std::isfinite(use(*worst))) found.value = use(*worst);
+  found.limit = 1.0;
+  found.standing = worst->met() ? Standing::green : Standing::red;
+  found.where = worst->reference.load_case;
+  found.note = fmt::format("{} against {}, tolerance {}", worst->reference.response, worst->reference.name,
+                           worst->reference.tolerance->text);
+  return {found};
+}
 
 std::vector<std::string> notes(const ModelComparison& r) {
   std::string text = warning_summary(warnings_of(r));
@@ -293,6 +309,7 @@ const Analysis<ModelComparison>& compare_analysis() {
       .converged = [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },
       .within_tolerance =
           [](const ModelComparison& r) { return std::ranges::all_of(r.references, &ReferenceComparison::met); },
+      .criteria = reference_criterion,
       .all_warnings = warnings_of,
       .takes_load_cases_apart = true};
   return analysis;

@@ -1,9 +1,10 @@
 #include "prs/compare/compare_models.h"
 
 #include "modules/module.h"
+#include "prs/bodies/body_models.h"
+#include "prs/bodies/body_solver.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/check_case.h"
-#include "prs/sector/influence/influence_solver.h"
 
 namespace prs {
 namespace {
@@ -17,8 +18,7 @@ Case with_bodies(Case c, Bodies bodies) {
   return c;
 }
 
-/// One sector in place of all rollers, under the axial force alone: what only a full
-/// mechanism has is left out.
+/// One sector in place of all rollers, under the axial force alone: inputs of a full mechanism only are left out.
 Case as_sector(Case c) {
   c.model.mechanism = ModelOptions::Mechanism::sector;
   c.model.contact_phase = ModelOptions::ContactPhase::equal;
@@ -47,14 +47,16 @@ Case as_sector(Case c) {
   return c;
 }
 
-/// Whether the influence model takes no longer than the others.
+/// Whether this model takes no longer than the others.
 bool is_at_hand(const Case& c) {
+  const BodySolver& solver = body_solver(c);
+  if (!solver.is_at_hand) return true;
   const Contacts contacts = checked_contacts(c, Detail::numbers);
   const PerInterface<ContactLaw> laws = contact_laws(c, contacts);
   std::set<std::pair<Direction, double>> sectors;
   for (const LoadCase& load : c.load_cases) sectors.emplace(*load.direction, *load.position);
   for (const auto& [direction, position] : sectors)
-    if (!influence_is_kept(c, contacts, laws, direction, position)) return false;
+    if (!solver.is_at_hand({{c, contacts, laws}, direction, position})) return false;
   return true;
 }
 
@@ -65,22 +67,23 @@ void require_sound(const Case& c) {
 /// Compares all models of the bodies that are at hand.
 ModelComparison compare_bodies(const Case& c) {
   ModelComparison comparison;
-  for (const Bodies bodies : {Bodies::bars, Bodies::refined, Bodies::influence}) {
+  for (const auto& row : kBodyModels) {
+    const Bodies bodies = &row.model;
     const bool stated = bodies == c.model.bodies;
     const Case variant = with_bodies(c, bodies);
     try {
       if (!stated) require_sound(variant);
-      if (!stated && bodies == Bodies::influence && !is_at_hand(variant)) continue;
+      if (!stated && !is_at_hand(variant)) continue;
       comparison.models.push_back(analyze(variant));
       if (stated) comparison.stated = comparison.models.size() - 1;
     } catch (const CaseError& error) {
       if (stated) throw;
-      if (bodies != Bodies::influence)
-        comparison.warnings.push_back({error.path(), fmt::format("without_{}", name(bodies)),
-                                       fmt::format("without `bodies: {}`: {}", name(bodies), error.what())});
+      if (!bodies->meshes)
+        comparison.warnings.push_back({error.path(), fmt::format("without_{}", bodies->name),
+                                       fmt::format("without `bodies: {}`: {}", bodies->name, error.what())});
     } catch (const modules::NotBuilt& error) {
       if (stated) throw;
-      comparison.warnings.push_back({"", fmt::format("without_{}", name(bodies)), error.what()});
+      comparison.warnings.push_back({"", fmt::format("without_{}", bodies->name), error.what()});
     }
   }
   return comparison;
@@ -92,7 +95,7 @@ ModelComparison compare_models(const Case& c) {
   Case solved = c;
   std::erase_if(solved.load_cases, [](const LoadCase& load) { return load.share == LoadCase::Share::equal; });
   ModelComparison comparison;
-  if (c.model.mechanism == ModelOptions::Mechanism::full)
+  if (c.model.all_rollers())
     comparison.models = {analyze(as_sector(solved)), analyze(solved)}, comparison.stated = 1;
   else
     comparison = compare_bodies(solved);

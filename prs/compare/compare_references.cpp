@@ -128,9 +128,7 @@ class References {
 void set_sums(const Case& c, ReferenceComparison& compared) {
   const ReferenceCurve& reference = compared.reference;
   const auto threads = static_cast<std::size_t>(c.mechanism.contacts_per_roller);
-  if (!reference.is_over_threads() || reference.readings.size() != threads ||
-      c.model.mechanism == ModelOptions::Mechanism::full)
-    return;
+  if (!reference.is_over_threads() || reference.readings.size() != threads || c.model.all_rollers()) return;
   const std::string_view key = std::string_view(reference.response).substr(reference.response.find('.') + 1);
   const auto load = std::ranges::find(c.load_cases, reference.load_case, &LoadCase::name);
   if (key == "load_rate_percent")

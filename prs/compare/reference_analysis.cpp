@@ -1,5 +1,8 @@
 #include "prs/compare/reference_analysis.h"
 
+#include <array>
+
+#include "prs/bodies/body_models.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/record_table.h"
 #include "prs/text.h"
@@ -31,7 +34,7 @@ struct ReferenceModel {
   }
 };
 
-/// A reading and what each model says there.
+/// A reading and the result of each model for it.
 struct ComparedReading {
   ComparedReference of;
   std::size_t index = 0;
@@ -56,10 +59,11 @@ struct ComputedThere {
   ComparedReading at;
 };
 
-template <ModelOptions::Bodies bodies>
+template <std::size_t kModel>
 constexpr auto computed_by = of<[](const ComputedThere& c) -> std::optional<double> {
   for (const ReferenceModel& m : models_of(c.at.of))
-    if (m.of.comparison->models[m.model].model.bodies == bodies) return m.answer().computed[c.at.index];
+    if (m.of.comparison->models[m.model].model.bodies == &kBodyModels[kModel].model)
+      return m.answer().computed[c.at.index];
   return std::nullopt;
 }>;
 
@@ -120,11 +124,11 @@ constexpr Quantity<ComparedReading> kReading[] = {
     {"computed", of<[](auto& r) { return ComputedThere{r}; }>, "by the models"},
 };
 
-constexpr Quantity<ComputedThere> kComputedThere[] = {
-    {"bars", computed_by<ModelOptions::Bodies::bars>, "by bars"},
-    {"refined", computed_by<ModelOptions::Bodies::refined>, "by refined bodies"},
-    {"influence", computed_by<ModelOptions::Bodies::influence>, "by the influence model"},
-};
+constexpr auto kComputedThere = []<std::size_t... kModels>(std::index_sequence<kModels...>) {
+  return std::array{Quantity<ComputedThere>{kBodyModels[kModels].model.name, computed_by<kModels>,
+                                            kBodyModels[kModels].model.help}...};
+}
+(std::make_index_sequence<std::size(kBodyModels)>());
 
 constexpr Quantity<ComparedReference> kReference[] = {
     {"name", of<[](auto& r) { return r.reference().name; }>, "of the reference; by default that of its file"},

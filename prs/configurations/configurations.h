@@ -33,9 +33,9 @@ inline constexpr int kFewestRollers = 3;
 /// 1000, and 1 if not even two would fit.
 int most_rollers(double centre_distance, double outer_radius, double gap);
 
-/// Turn of a roller in the planet carrier against its neighbour [rad], in the sense in which the places are counted:
-/// psi - phi of the conditions above, from 0 to 2 pi/n_R, with which the rollers' threads repeat. Standard -(n_S/n_R) 2
-/// pi/N, inverted +(n_S/n_R) 2 pi/N.
+/// Turn of a roller in the planet carrier against its neighbour [rad], in the sense in which the
+/// places are counted: psi - phi of the conditions above, from 0 to 2 pi/n_R, with which the
+/// rollers' threads repeat. Standard -(n_S/n_R) 2 pi/N, inverted +(n_S/n_R) 2 pi/N.
 double indexing_angle(Mechanism::Type type, Mechanism::Starts starts, int rollers);
 
 /// Whether every roller is assembled at the same turn as seen from its place: n_S/N whole. Other numbers need marks, or
@@ -90,11 +90,11 @@ struct ConfigurationQuery {
 struct Configuration {
   /// Design mode, no backlash; straight screw and nut, convex rollers, sharp threads.
   Mechanism mechanism;
-  /// Diameters that follow from the starts (Jung 2017, (2.16), (2.26); Sandu 2018, (1.52), (1.53)): d_S, d_R, d_N = d_S
-  /// + 2 d_R [m].
+  /// Diameters that follow from the starts (Jung 2017, (2.16), (2.26); Sandu 2018, (1.52), (1.53)):
+  /// d_S, d_R, d_N = d_S + 2 d_R [m].
   PerPart<double> rolling_diameter;
-  /// Pitch diameters for no backlash [m]: the screw's is corrected in a standard mechanism, the nut's in an inverted
-  /// one.
+  /// Pitch diameters for no backlash [m]: the screw's is corrected in a standard mechanism, the
+  /// nut's in an inverted one.
   PerPart<double> pitch_diameter;
   double centre_distance = 0.0;  ///< c [m], for no backlash.
   double gear_ratio = 0.0;       ///< Gamma = n_R/n_S = d_R/d_N or d_R/d_S (2.1).
@@ -171,24 +171,26 @@ inline constexpr double kModerateEdgeShare = 0.25;
 
 /// Share of the nut's length with threads. This and the following rules are from the 24 standard screws in
 /// validation/standard_screws; d_N is the nut's pitch diameter.
+
 inline constexpr double kThreadedShare = 0.68;
 /// r_B of the roller's flanks in pitches: with it C_0 hardly depends on the lead, as in makers' catalogues.
 inline constexpr double kProfileRadius = 5.0;
-/// Nut of D = 1.155 d_N + 5.8 mm, 0.96 to 1.03 times the printed ones, and L = 1.26 d_N + 20.5 mm, 0.84 to 1.15 times:
-/// least squares of the ratios.
+/// Nut of D = 1.155 d_N + 5.8 mm, 0.96 to 1.03 times the printed ones, and L = 1.26 d_N + 20.5 mm,
+/// 0.84 to 1.15 times: least squares of the ratios.
 inline constexpr double kNutDiameterSlope = 1.155, kNutDiameterOffset = 5.8e-3;
 inline constexpr double kNutLengthSlope = 1.26, kNutLengthOffset = 20.5e-3;
 /// Largest length of a roller's threads in a nut by rule, in roller diameters; the catalogue has up to 8.
 inline constexpr double kSlendernessOfRollers = 15.0;
-/// Toothed ends of the rollers: their share of the length that the threads leave in the nut, and their diameter over
-/// the roller's, so that the rollers' inertia is 0.83 to 1.18 times the printed ones.
+/// Toothed ends of the rollers: part of the length that the threads leave in the nut, and their
+/// diameter over the roller's, so that the rollers' inertia is 0.83 to 1.18 times the printed ones.
 inline constexpr double kRollerEndsShare = 0.9, kRollerEndDiameter = 0.92;
 /// Friction of the flanks with which efficiencies, mixed friction of the heads included, are 0.89 to 1.05 times the
 /// printed ones, and equal in the mean.
 inline constexpr double kFlankFriction = 0.1;
 /// Heads of the rollers in the carrier, over the roller's diameter; a short bearing.
 inline constexpr double kHeadLength = 0.5, kHeadDiameter = 0.6, kHeadClearance = 0.005;
-/// Thinnest roller of the catalogue [m], which has fewer than 5 starts only where rollers would be thinner.
+/// Thinnest roller of the catalogue [m], which has fewer than 5 starts only where rollers would be
+/// thinner.
 inline constexpr double kThinnestRoller = 4e-3;
 /// Length of an inverted screw's roller threads in screw diameters, and of its nut in such lengths: about as in Abevi
 /// 2015.
@@ -196,8 +198,8 @@ inline constexpr double kInvertedThreads = 1.6, kInvertedNut = 3.0;
 /// Share of the makers' limit of speed times diameter.
 inline constexpr double kSpeedShare = 0.5;
 
-/// Peak pressure with equal shares beyond which a load is refused [Pa]: twice the static capacity by 4.0 GPa, as
-/// makers' capacities are up to 1.5 times the computed ones.
+/// Peak pressure with equal shares beyond which a load is refused [Pa]: twice the static capacity
+/// by 4.0 GPa, as makers' capacities are up to 1.5 times the computed ones.
 inline constexpr double kGreatestPressure = 5.0e9;
 /// Share of a maker's crest height that arcs must reach before they become parallel to the axis.
 inline constexpr double kLeastThreadHeight = 0.5;

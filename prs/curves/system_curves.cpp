@@ -189,7 +189,7 @@ class LoadsOfCase {
     conditions_.load_cases.clear();
     for (const double force : forces) conditions_.load_cases.push_back(at(d, force));
     // Only complete results of a full mechanism have the stiffness of the loaded section.
-    const bool full = conditions_.model.mechanism == ModelOptions::Mechanism::full;
+    const bool full = conditions_.model.all_rollers();
     const AnalysisOptions options{full ? Detail::complete : Detail::numbers, Solver::chain, &full_};
     std::vector<LoadCaseResult> results = analyze(conditions_, contacts_, options).load_cases;
     for (const LoadCaseResult& r : results)
@@ -223,7 +223,7 @@ void add_loaded_branches(const Conditions& c, const Contacts& contacts, const Lo
                          Errors& errors, SystemCurves& curves) {
   LoadsOfCase loads(c, contacts, pattern);
   // Without load, rollers that a misalignment presses to one side take seconds to converge.
-  const bool full = c.model.mechanism == ModelOptions::Mechanism::full;
+  const bool full = c.model.all_rollers();
   const int octaves = full ? kOctavesOfFull : kOctaves;
   for (const Direction d : kDirections) {
     const Solve solve = [&](const std::vector<double>& forces) {
@@ -514,8 +514,9 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
       curves.warnings.push_back(std::move(*note));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
-  curves.friction = friction_table(torque, force, options.speed.value_or(largest_speed(c)),
-                                   c.friction->of_film() || c.carrier.is_oiled(), curves.lead, curves.torque_error);
+  curves.friction =
+      friction_table(torque, force, options.speed.value_or(largest_speed(c)),
+                     c.friction->facts().changes_with_speed || c.carrier.is_oiled(), curves.lead, curves.torque_error);
 }
 
 /// Load case with the conditions: position, misalignment, speed. With `preload` and no chosen load case, its position

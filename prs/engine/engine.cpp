@@ -24,7 +24,8 @@ class QuestionError : public std::runtime_error {
       : std::runtime_error(fmt::format("question: {}: got {}; expected {}", key, got, expected)) {}
 };
 
-/// Names that are no command of a case: sections of the report, the case with its overrides written in, a new case.
+/// Names that are no command of a case: sections of the report, the case with its overrides written
+/// in, a new case.
 constexpr std::string_view kReport = "report", kWrite = "write", kNew = "new";
 
 struct Question {

@@ -1,4 +1,4 @@
-#include "prs/heat/analyze_heat.h"
+#include "prs/heat/duty_cycle.h"
 
 #include <Eigen/LU>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -8,23 +8,23 @@
 namespace prs {
 namespace {
 
-constexpr double kStepTolerance = 1e-8;    // Of a step [K].
-constexpr double kPeriodTolerance = 1e-8;  // Between start and end of the cycle [K].
-constexpr double kTellTable = 1e-6;        // Coarser ones are worth a warning.
-constexpr double kLeastPoints = 200;       // Of a cycle, for its picture.
-constexpr int kColumns = 6;                // Of the extrapolation.
+constexpr double kStepTolerance = 1e-8;    // Tolerance of a step [K].
+constexpr double kPeriodTolerance = 1e-8;  // Tolerance between start and end of the cycle [K].
+constexpr double kTellTable = 1e-6;        // Error of a table above which a warning is given.
+constexpr double kLeastPoints = 200;       // Number of points of a cycle, for its picture.
+constexpr int kColumns = 6;                // Columns of the extrapolation.
 constexpr double kShortest = 1e-6;         // Step over the fastest time constant.
-constexpr double kNoOutput = 1e-9;         // Of the energy that flows in.
-constexpr double kMargin = 0.25;           // Of tables around the cycle [K].
-constexpr double kKeptMargin = 3.0;        // Of those that serve other cycles too.
+constexpr double kNoOutput = 1e-9;         // Share of the energy input that counts as no output.
+constexpr double kMargin = 0.25;           // Margin of tables around the cycle [K].
+constexpr double kKeptMargin = 3.0;        // Margin of tables that serve other cycles too [K].
 
-/// To find the range of temperatures, and then over it; with solved shares the exact losses cost
-/// twenty times those of equal ones.
+/// Effort to find the range of temperatures, and then over it; with solved shares the exact losses cost twenty times
+/// those of equal ones.
 constexpr LossTable::Effort kRoughTable{1e-4, 200}, kTable{1e-9, 6000}, kSolvedTable{3e-9, 1500};
 
 double largest_of(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
 
-/// A part of the duty: what acts, by its number among the tables, and for how long.
+/// A part of the duty: the index of its table, and its duration.
 struct Segment {
   std::size_t table = 0;
   double duration = 0.0;
@@ -46,7 +46,7 @@ struct Warming {
   const OfParts& capacity;
   const LossTable& table;
 
-  /// One extrapolated step; none where it does not reach the tolerance.
+  /// One extrapolated step; none if it does not reach the tolerance.
   std::optional<State> step(const State& from, double h, int& columns) const {
     const auto [losses, by_temperature] = table.at(from.head<3>());
     const State rate = rate_at(from, losses);
@@ -73,8 +73,7 @@ struct Warming {
     return std::nullopt;
   }
 
-  /// Greatest temperature of each part in a step of h: within it for those that warm at its start
-  /// and cool at its end.
+  /// Highest temperature of each part in a step of h: inside it for parts that warm at its start and cool at its end.
   OfParts greatest_within(const State& from, const State& to, double h) const {
     const auto rate = [&](const State& x) { return rate_at(x, table.value_at(x.head<3>())); };
     const State first = rate(from), last = rate(to);
@@ -105,7 +104,7 @@ struct Warming {
     return rate;
   }
 
-  /// After n linearly implicit Euler steps of h/n in all.
+  /// State after n linearly implicit Euler steps of h/n in total.
   State steps(const State& from, State rate, const Derivative& derivative, double h, int n) const {
     const double small = h / n;
     const Eigen::Matrix3d inverse = (Eigen::Matrix3d::Identity() - small * derivative.topRows<3>()).inverse();
@@ -119,7 +118,7 @@ struct Warming {
   }
 };
 
-/// The duty as lumped parts see it.
+/// The duty in the form for lumped parts.
 class RepeatedCycle {
  public:
   RepeatedCycle(const ThermalNetwork& network, const OfParts& capacity, std::vector<Segment> segments)
@@ -129,9 +128,9 @@ class RepeatedCycle {
 
   double period() const { return period_; }
 
-  /// Integrates over the cycle; `visit(table, time, temperature, greatest)` at every step's end,
-  /// where greatest() gives the greatest temperatures within the step. False where steps become too
-  /// small or temperatures leave all bounds.
+  /// Integrates over the cycle; calls `visit(table, time, temperature, greatest)` at every step's end, where greatest()
+  /// gives the highest temperatures within the step. Returns false if steps become too small or temperatures leave all
+  /// bounds.
   template <class Visit>
   bool run(const std::vector<LossTable>& tables, State& state, Visit visit) const {
     const double longest = period_ / kLeastPoints;
@@ -142,7 +141,7 @@ class RepeatedCycle {
       double done = 0.0;
       while (done < segment.duration) {
         const double left = segment.duration - done;
-        // Equal steps to the end, so that none is left tiny.
+        // Equal steps to the end, to avoid a tiny last one.
         const double here = left / std::ceil(left / std::min({h, longest, left}) - 1e-9);
         int columns = 0;
         const std::optional<State> next = warming.step(state, here, columns);
@@ -163,8 +162,7 @@ class RepeatedCycle {
     return true;
   }
 
-  /// Temperatures at the start that are those at the end, from a guess. Newton's matrix serves on
-  /// while it leads on.
+  /// Temperatures that are equal at the start and the end, from a guess. Newton's matrix is reused while it converges.
   using Factors = std::optional<Eigen::PartialPivLU<Eigen::Matrix3d>>;
   std::optional<OfParts> periodic(const std::vector<LossTable>& tables, OfParts t, Factors& factors) const {
     const auto after = [&](const OfParts& from) -> std::optional<OfParts> {
@@ -203,13 +201,14 @@ class RepeatedCycle {
   double period_ = 0.0;
 };
 
-/// A load case that the duty names.
+/// A load case named in the duty.
 struct DutyCase : LossShare {
-  std::unique_ptr<CaseLosses> equal;  ///< Shares, where the load case's follow the temperatures.
+  /// Losses with equal shares, if the load case's shares depend on the temperatures.
+  std::unique_ptr<CaseLosses> equal;
 };
 
 struct Duty {
-  std::vector<DutyCase> cases;    ///< Each once.
+  std::vector<DutyCase> cases;    ///< Load cases without repetition.
   std::vector<Segment> segments;  ///< Table 0 is that of rests, 1 that of the first load case.
 };
 
@@ -237,8 +236,7 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
   return duty;
 }
 
-/// Losses of a load case. With solved shares equal ones come first: they cost little, and what is
-/// left over is small.
+/// Losses of a load case. With solved shares equal ones come first: they cost little, and the difference is small.
 std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& load, bool good) {
   const auto of = [&](CaseLosses& losses, bool by_rollers, const LossTable::Effort& effort, LossTable rough) {
     return LossTable::over(
@@ -272,7 +270,7 @@ std::vector<TemperatureBox> visited_from(const OfParts& start, const RepeatedCyc
   return boxes;
 }
 
-/// The cycle that repeats itself.
+/// The periodic cycle.
 struct Periodic : DutyLosses {
   HeatStatus status = HeatStatus::converged;
   std::string reason = {};
@@ -284,7 +282,7 @@ bool contain(const std::vector<TemperatureBox>& covered, const std::vector<Tempe
   return true;
 }
 
-/// The cycle with tables that are known; none if it leaves them.
+/// The cycle with known tables; none if it leaves their range.
 std::optional<Periodic> repeated(const RepeatedCycle& cycle, const DutyLosses& known) {
   Periodic found{known};
   RepeatedCycle::Factors factors;
@@ -294,8 +292,8 @@ std::optional<Periodic> repeated(const RepeatedCycle& cycle, const DutyLosses& k
   return found;
 }
 
-/// Each round takes tables over what the last one has visited and `margin` [K] around it: rough
-/// ones, and good ones once the range is known.
+/// Iteration: each round makes tables over the temperatures of the previous one and `margin` [K] around them: rough
+/// ones, and good ones after the range is known.
 Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, double margin) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
@@ -320,7 +318,7 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
     const bool was_good = std::exchange(good, good || inside);
     for (std::size_t k = 0; k < cases; ++k) {
       if (was_good && is_covered(k)) continue;
-      // Constant losses lead too far, so that what they visited is not kept.
+      // Constant losses overestimate, so that their temperatures are not kept.
       TemperatureBox box = visited[k + 1];
       if (round > 1 && good == was_good) box.include(covered[k].least), box.include(covered[k].greatest);
       covered[k] = box.widened(margin);
@@ -380,7 +378,8 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std
   std::optional<Periodic> again = known ? repeated(cycle, *known) : std::nullopt;
   if (!again) {
     const std::vector<LossShare> shares(duty.cases.begin(), duty.cases.end());
-    const SteadyHeat steady = find_steady_heat(network, mean_heat(shares, shares, heat_may_grow(c)));
+    const SteadyHeat steady =
+        find_steady_heat(network, mean_heat(shares, shares, c.friction->is(contact::Lubrication::mixed)));
     if (!steady.converged()) return ended(result, steady.status, steady.reason);
     again = find_periodic(cycle, duty, steady.temperature, kept ? kKeptMargin : kMargin);
     if (again->status != HeatStatus::converged) return ended(result, again->status, again->reason);

@@ -50,7 +50,7 @@ class ScaledEstimate {
   }
 
   /// Whether the total heat is below (sign < 0) or above (sign > 0) the heat flow out, at this share of the distance
-  /// from ambient to the steady state; false where it is unknown.
+  /// from ambient to the steady state; false if it is unknown.
   bool crosses(double share, const OfParts& steady, double sign) const {
     const OfParts rise = (steady.array() - network_.ambient).matrix();
     const OfParts t = (network_.ambient + (share * rise).array()).matrix();

@@ -1,3 +1,4 @@
+#include "prs/bodies/body_models.h"
 #include "prs/input/field.h"
 
 namespace prs::input {
@@ -74,9 +75,7 @@ void alternatives(Choices& io, ModelOptions::ContactPhase& p) {
 }
 
 void alternatives(Choices& io, ModelOptions::Bodies& b) {
-  io("bars", b, ModelOptions::Bodies::bars, "one-dimensional elements, as the paper");
-  io("refined", b, ModelOptions::Bodies::refined, "one-dimensional elements with what bars miss");
-  io("influence", b, ModelOptions::Bodies::influence, "grooved bodies of revolution by finite elements");
+  for (const auto& row : kBodyModels) io(row.model.name, b, &row.model, row.model.help);
 }
 
 void alternatives(Choices& io, ModelOptions::Loads& l) {
@@ -181,12 +180,38 @@ void alternatives(Choices& io, Preload::Arrangement& a) {
      "two nuts on one screw, each with its rollers, pushed apart by a spacer");
 }
 
+/// Calls take(parameter, kind) with each parameter of a law of friction and how it is written.
+template <class Law, class Take>
+void for_each_parameter(const Law&, Take take) {
+  for (const contact::LawParameter<Law>& p : Law::parameters) {
+    const Bounds bounds = p.may_be_zero ? not_negative : positive;
+    if (p.unit.empty()) {
+      take(p, OneOrEach{Number{bounds, p.example}});
+      continue;
+    }
+    for (const Dimension* d : dimensions())
+      if (find_unit(p.unit, *d)) return take(p, OneOrEach{Quantity{*d, bounds, p.example}});
+  }
+}
+
+template <template <class> class Law>
+void fields(const Fields& io, Law<PerInterface<double>>& law) {
+  for_each_parameter(law, [&](const auto& p, const auto& kind) {
+    io(p.key, law.*p.member, kind, p.required ? required : optional, p.meaning);
+  });
+}
+
 void alternatives(Choices& io, Friction& f) {
-  io("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
-  io("coulomb", f.model, Friction::Model::coulomb, f.coefficient, OneOrEach{Number{not_negative, "0.1"}},
-     "a constant coefficient of friction");
-  io("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
-     "a film after Jacod through which flanks touch, by film over roughness");
+  f.for_each([&]<class Law>(contact::FrictionKind kind, const Law&) {
+    Law& law = f;
+    const contact::LawFacts& facts = Law::facts;
+    bool in_place = Law::parameters.empty();
+    if (in_place) io(facts.name, f.kind, kind, facts.meaning);
+    for_each_parameter(law, [&](const auto& p, const auto& how) {
+      if (p.key.empty()) in_place = true, io(facts.name, f.kind, kind, law.*p.member, how, facts.meaning);
+    });
+    if (!in_place) io(facts.name, f.kind, kind, law, Block{}, facts.meaning);
+  });
 }
 
 void alternatives(Choices& io, contact::FilmDirection& d) {
@@ -858,12 +883,6 @@ void fields(const Fields& io, Lubricant& l) {
             "Film that the shear at the inlet warms and thins (Gupta et al. 1992)");
      }},
      "Central film of the contacts");
-}
-
-void fields(const Fields& io, MixedFriction& m) {
-  io("boundary", m.boundary, Number{not_negative, "0.12"}, required, "Coefficient of friction of flanks that touch");
-  io("exponent", m.exponent, Number{positive, "2"},
-     "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch");
 }
 
 void fields(const Fields& io, Wear& w) {

@@ -204,7 +204,7 @@ struct ReferenceItem {
   std::optional<Along> along;
 };
 
-/// A file as it is written: `values` lacks the load cases.
+/// A file as it is written: `values` does not yet have the load cases.
 struct CaseFile {
   Case values;
   std::vector<LoadCaseItem> load_cases;
@@ -214,7 +214,7 @@ struct CaseFile {
   std::optional<OptimizeItem> optimize;
   std::optional<FitItem> fit;
   std::vector<ReferenceItem> references;
-  bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
+  bool speeds_follow_lead = false;  ///< Whether speeds are stated along the axis.
 };
 
 }  // namespace prs::input

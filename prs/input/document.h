@@ -65,8 +65,7 @@ Place locate(const Node& root, std::string_view path);
 /// Adds an error at the place of a path.
 void refuse(const Node& root, std::string_view path, std::string_view message, ErrorList& errors);
 
-/// Throws the InputError that names the place of `path` in the source, for what turns out to be
-/// wrong only after the case was read.
+/// Throws the InputError that names the place of `path` in the source, for an error found only after the case was read.
 [[noreturn]] void fail_at(const Source& source, std::string_view path, std::string_view message);
 template <class Arg, class... Args>
 [[noreturn]] void fail_at(const Source& source, std::string_view path, fmt::format_string<Arg, Args...> message,
@@ -74,8 +73,7 @@ template <class Arg, class... Args>
   fail_at(source, path, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
 }
 
-/// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
-/// reported where it stands.
+/// Runs `compute` on a case that came from `source`, so that errors of the case are reported at their places.
 template <class Compute>
 auto compute_from(const Source& source, Compute compute) {
   try {

@@ -13,7 +13,7 @@
 namespace prs::input {
 namespace {
 
-/// Lists the values of one map next to what was written of them (null where nothing was).
+/// Lists the values of one map with the text written for each (null if there was none).
 class Lister {
  public:
   explicit Lister(std::vector<EchoEntry>& entries) : entries_(entries) {}
@@ -31,7 +31,7 @@ class Lister {
     std::visit([&](const auto& v) { list(node, path, v); }, value.as);
   }
 
-  /// One value that stands on one line.
+  /// Lists one value that takes one line.
   void list_line(const Node* node, const std::string& path, const Value& value) {
     EchoEntry& entry = entries_.emplace_back();
     entry = {path, text_of(value), node == nullptr};
@@ -106,7 +106,7 @@ std::size_t comment_in(std::string_view line) {
 
 /// `assumed VALUE: REASON`
 struct Mark {
-  std::string_view value;  ///< Empty: whatever stands there.
+  std::string_view value;  ///< Empty: any value.
   std::string_view reason;
 };
 
@@ -124,7 +124,7 @@ std::optional<Mark> mark_in(std::string_view comment) {
   return std::nullopt;
 }
 
-/// A value that stands by itself; absent where it is no YAML.
+/// A separate value of a text; absent if it is not YAML.
 std::optional<Node> value_of(std::string_view text) try {
   const Source source = source_of_text("", "value: " + std::string(text), {});
   ErrorList errors(source);
@@ -609,7 +609,7 @@ double end_of(std::string_view text, const Dimension* dimension, double where_ab
   return dimension ? parse_quantity(text, *dimension).value.value() : parse_number(text).value();
 }
 
-/// The same number with a unit that makes it usual; empty if there is none.
+/// Number with a unit that makes it usual; empty if there is none.
 std::string usual_unit(const EchoEntry& field, double least, double greatest) {
   const auto written = split_unit(field.written);
   if (!written || !field.dimension) return {};

@@ -29,16 +29,16 @@ std::vector<EchoEntry> echo(CaseFile file, const Node& root);
 /// the value as written, usual values, and the unit that would fit.
 std::vector<Warning> unusual_values(const std::vector<EchoEntry>& fields);
 
-/// Why each assumed value was assumed, by its path. A comment behind a value, or on the lines above
-/// its key, marks it:
+/// Reason why each assumed value was assumed, by its path. A comment behind a value, or on the lines above its key,
+/// marks it:
 ///
 ///     flank_angle: 45 deg                 # assumed 45 deg: as on nearly all screws
 ///     # assumed {roller: 1}: as in makers' catalogues
 ///     starts: {screw: 5, roller: 1}
 ///
-/// What stands between `assumed` and the colon is the value as it was assumed; a map may name some
-/// of the keys, a list the first items. A value that differs from it by now was changed and is none
-/// any more, nor is one that `--set` gives. `assumed: REASON` marks whatever stands there.
+/// The text between `assumed` and the colon is the value when it was assumed; a map may name some of the keys, a list
+/// the first items. A value that differs from it was changed since then and is no longer assumed, nor is a value from
+/// `--set`. `assumed: REASON` marks any value.
 std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries, const Source& source);
 
 /// The text of a source with its overrides written into it and all else unchanged, comments too: a case with the same

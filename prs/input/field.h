@@ -78,7 +78,8 @@ struct Text {
   std::string_view example = "\"case-1\"";  ///< Text as in a file.
 };
 
-/// One of the words or of the maps with one key that `alternatives(io, value)` lists: `straight` or `{convex: 3 mm}`.
+/// One of the words or of the maps with one key that `alternatives(io, value)` lists:
+/// `straight` or `{convex: 3 mm}`.
 struct Choice {};
 
 /// One of many words that `alternatives(io, value)` lists; messages refer to a command that lists them.

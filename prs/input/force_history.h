@@ -7,8 +7,8 @@
 namespace prs::input {
 
 /// Reads the columns of a history from a text of comma-separated values, see `CsvReader`: the first
-/// row is the heading, every further row a sample; numbers have a decimal point. `name` stands
-/// for the file in messages, `source` is the input that names columns and units under
+/// row is the heading, every further row a sample; numbers have a decimal point. `name` is the
+/// file name in messages, `source` is the input that names columns and units under
 /// `life.history`.
 ///
 /// Throws InputError: `FILE:LINE:COLUMN: error: NAME: got VALUE; expected ..` for a value that is

@@ -56,7 +56,7 @@ CaseInput read_case_input(const Source& source, Command command);
 /// Reads and checks the input of a command; values only. `overrides`: `path=value` each.
 Case read_case(const std::string& file, const std::vector<std::string>& overrides, Command command);
 
-/// Reads the case from a text; `name` stands for the file in messages.
+/// Reads the case from a text; `name`: file name for messages.
 Case read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
                     Command command);
 

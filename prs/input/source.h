@@ -40,11 +40,10 @@ struct Source {
 /// Reads a file of at most 1 MiB. Throws InputError if it is missing, unreadable, too large or not a regular file.
 Source load_source(const std::string& file, std::vector<std::string> overrides);
 
-/// Reads a source of at most 1 MiB from a stream; `name` stands for the file in messages. Throws
-/// InputError.
+/// Reads a source of at most 1 MiB from a stream; `name`: file name for messages. Throws InputError.
 Source read_source(std::istream& in, std::string name, std::vector<std::string> overrides);
 
-/// Makes a source from a text; `name` stands for the file in messages.
+/// Makes a source from a text; `name`: file name for messages.
 Source source_of_text(std::string name, std::string text, std::vector<std::string> overrides,
                       std::filesystem::path folder = {});
 

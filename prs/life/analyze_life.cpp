@@ -5,6 +5,7 @@
 
 #include "prs/life/contact_loads.h"
 #include "prs/slip/running.h"
+#include "prs/slip/slip_warnings.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {
@@ -162,7 +163,8 @@ struct Sense {
   }
 };
 
-/// Steps of a spectrum by the sense of their force; with preload a step without force belongs to tension.
+/// Steps of a spectrum by the sense of their force; with preload a step without force belongs to
+/// tension.
 PerDirection<Sense> senses_of(const LifeModel& p, const LifeResult& r) {
   PerDirection<Sense> senses;
   for (const LoadStep& step : r.steps) {
@@ -198,11 +200,9 @@ std::function<double(double, double)> damage_between(const Sense& s) {
 ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::Solve& solve) {
   const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
   if (!p.full() && !p.preloaded()) return ShareCurve(solve, least, s.largest);
-  std::vector<double> forces = s.forces;
-  if (p.preloaded()) forces.push_back(0.0);
-  std::ranges::sort(forces);
-  forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
-  if (forces.size() <= kFewForces) return ShareCurve(solve, std::move(forces));
+  std::set<double> forces(s.forces.begin(), s.forces.end());
+  if (p.preloaded()) forces.insert(0.0);
+  if (forces.size() <= kFewForces) return ShareCurve(solve, forces);
   if (p.preloaded()) return ShareCurve(solve, 0.0, s.largest, {kCurveTolerance, {}});
   return ShareCurve(solve, least, s.largest, {kOrbitTolerance, damage_between(s)});
 }
@@ -215,8 +215,7 @@ ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<d
   std::set<double> forces;
   for (std::size_t k = 0; k < turns.size(); ++k)
     if (turns[k] > 0.0) forces.insert(s.forces[k]);
-  if (forces.size() < ShareCurve::kNodes && !p.full() && !p.preloaded())
-    return ShareCurve(solve, std::vector(forces.begin(), forces.end()));
+  if (forces.size() < ShareCurve::kNodes && !p.full() && !p.preloaded()) return ShareCurve(solve, forces);
   if (p.full() || p.preloaded()) return curve_of_sense(p, s, solve);
   const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
   return ShareCurve(solve, least, s.largest, {ShareCurve::kTolerance, damage_between(s)});
@@ -359,6 +358,17 @@ void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCur
   }
 }
 
+/// Loads of rated contacts; the largest of forces up to `greatest` are kept.
+ShareCurve::Solve keeping_larger(ContactSolver solve, double greatest,
+                                 std::optional<PerDirection<LargestLoads>>& kept) {
+  return [solve = std::move(solve), greatest, &kept](double force) -> std::optional<std::vector<double>> {
+    std::optional<ContactLoads> loads = solve(force);
+    if (!loads) return std::nullopt;
+    if (force <= greatest) keep_larger(*loads, kept);
+    return std::move(loads->rated);
+  };
+}
+
 /// Computes curves of a sense and the damage of its loads; returns the force if they failed.
 std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
   const auto found = [&](const ShareCurve& curve) {
@@ -366,12 +376,7 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
     s.error = std::max(s.error, curve.error());
     return curve.failed_at();
   };
-  s.curve = curve_of_sense(p, s, [&](double force) -> std::optional<std::vector<double>> {
-    std::optional<ContactLoads> loads = s.solve(force);
-    if (!loads) return std::nullopt;
-    keep_larger(*loads, s.resting);
-    return std::move(loads->rated);
-  });
+  s.curve = curve_of_sense(p, s, keeping_larger([&](double force) { return s.solve(force); }, HUGE_VAL, s.resting));
   if (const auto failed = found(*s.curve)) return failed;
   s.cubes = s.cubes_at_rest = cubes_of(p, s, *s.curve, s.turns);
   if (!p.running()) return std::nullopt;
@@ -385,12 +390,7 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
     double largest = 0.0;
     for (std::size_t k = 0; k < turns.size(); ++k)
       if (turns[k] > 0.0) largest = std::max(largest, s.forces[k]);
-    const auto rated_at = [&](double force) -> std::optional<std::vector<double>> {
-      std::optional<ContactLoads> loads = running(force);
-      if (!loads) return std::nullopt;
-      if (force <= largest) keep_larger(*loads, s.turning);
-      return std::move(loads->rated);
-    };
+    const ShareCurve::Solve rated_at = keeping_larger(running, largest, s.turning);
     const ShareCurve curve = running_curve(p, s, turns, rated_at);
     if (const auto failed = found(curve)) return failed;
     if (!rated_at(largest)) return largest;

@@ -75,9 +75,7 @@ ShareCurve::ShareCurve(const Solve& solve, double least, double greatest, Accura
   shared_.clear();
 }
 
-ShareCurve::ShareCurve(const Solve& solve, std::vector<double> forces) {
-  std::ranges::sort(forces);
-  forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
+ShareCurve::ShareCurve(const Solve& solve, const std::set<double>& forces) {
   for (const double force : forces) {
     const double x = std::cbrt(force);
     const auto shares = solve_at(solve, x);
@@ -162,8 +160,8 @@ ContactSolver equal_solver(const LifeModel& model, Direction d) {
 
 ContactSolver sector_solver(const LifeModel& model, Direction d) {
   return [&model, d,
-          solve = distribution_solver(model.c, model.contacts, model.laws, d, *model.c.life->position, Solver::chain)](
-             double force) {
+          solve = body_solver(model.c).at_rest({{model.c, model.contacts, model.laws}, d, *model.c.life->position},
+                                               Solver::chain)](double force) {
     const LoadDistribution solved = solve(force);
     if (!solved.solve.converged()) return std::optional<ContactLoads>();
     ContactLoads loads;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/threads/contacts.h"
@@ -37,7 +38,7 @@ class ShareCurve {
   ShareCurve(const Solve& solve, double least, double greatest) : ShareCurve(solve, least, greatest, Accuracy{}) {}
 
   /// Solves at these forces only [N], at least one; a load between them gets the shares at the next smaller one.
-  ShareCurve(const Solve& solve, std::vector<double> forces);
+  ShareCurve(const Solve& solve, const std::set<double>& forces);
 
   /// Force at which no equilibrium was found; the curve must then not be used.
   std::optional<double> failed_at() const { return failed_at_; }
@@ -123,7 +124,7 @@ struct LifeModel {
   bool running() const { return life_takes_running_loads(c); }
   bool solved() const { return c.life->share == LoadCase::Share::solved; }
   bool preloaded() const { return c.preload.has_value(); }
-  bool full() const { return solved() && c.model.mechanism == ModelOptions::Mechanism::full; }
+  bool full() const { return solved() && c.model.all_rollers(); }
   /// Whether threads carry load, and may reach a limit, without any axial force, for other reasons than preload.
   bool is_loaded_across() const;
   RatedContacts rated() const;

@@ -95,7 +95,8 @@ std::optional<Warning> beside_lemor_angle(double contact_angle);
 /// A warning if a load [N] exceeds the range of the life formula, half of the dynamic capacity [N] (ISO 281).
 std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity);
 
-/// Normal load [N] that gives a contact the peak pressure p_0 [Pa]: with the semi-axes a = a' N^1/3 and b = b' N^1/3,
+/// Normal load [N] that gives a contact the peak pressure p_0 [Pa]: with the semi-axes a = a' N^1/3
+/// and b = b' N^1/3,
 ///
 ///     p_0 = 3 N/(2 pi a b)   =>   N = (2 pi a' b' p_0/3)^3     (Sandu 2018, (1.83)).
 double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressure);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "modules/fit/fit.h"
+#include "prs/bodies/body_solver.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/program.h"
 #include "prs/compare/compare_analysis.h"
@@ -11,6 +12,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/measures/measures_criteria.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"
 #include "prs/run/compare_cases.h"
@@ -25,12 +27,13 @@ namespace {
 
 using modules::NotBuilt;
 
-AnyAnalysis left_out(Command command, std::string_view help) {
+AnyAnalysis left_out(Command command, std::string_view help, bool is_judged = false) {
   const std::string what = fmt::format("prs {}", name(command));
   return {.command = command,
           .help = help,
           .run = [what](const input::Source&, const input::CaseInput&) -> Delivery { throw NotBuilt(what); },
-          .is_built = false};
+          .is_built = false,
+          .is_judged = is_judged};
 }
 
 /// Replaces any omitted function of a requirement.
@@ -54,9 +57,9 @@ std::span<const AnyAnalysis> analyses() {
       any(compare_analysis()),
       any(slip_analysis()),
       left_out(Command::preload, "Closure, stiffness and lost motion of a preloaded nut"),
-      left_out(Command::life, "Life and static safety"),
-      left_out(Command::measures, "Weight, stiffness terms, buckling, critical speed, capacities"),
-      left_out(Command::response, "The screw in its drive over time"),
+      left_out(Command::life, "Life and static safety", true),
+      left_out(Command::measures, "Weight, stiffness terms, buckling, critical speed, capacities", true),
+      left_out(Command::response, "The screw in its drive over time", true),
       left_out(Command::study, "Many designs"),
       left_out(Command::optimize, "The best design"),
       left_out(Command::fit, "Unknown inputs from measured curves"),
@@ -89,8 +92,8 @@ std::span<const DocumentForm> document_forms() {
 }
 
 std::string_view left_out(const Case& c) {
-  if (c.model.mechanism == ModelOptions::Mechanism::full) return "model.mechanism: full";
-  if (c.model.bodies == ModelOptions::Bodies::influence) return "model.bodies: influence";
+  if (c.model.all_rollers()) return "model.mechanism: full";
+  if (c.model.bodies->meshes) return "model.bodies: influence";
   return c.heat ? "heat" : "";
 }
 
@@ -114,6 +117,13 @@ Orbit full_orbit(const LoadCase&, const Conditions&, const Contacts&, const PerI
 
 bool travels(const LoadCaseResult&) { return true; }
 Warning no_orbit(const Orbit::Failure&) { throw NotBuilt("model.mechanism: full"); }
+
+std::unique_ptr<RollersOnBodies> rollers_on_beams(const LoadedMechanism&, const MakeModel&, FullSolver&) {
+  throw NotBuilt("model.mechanism: full");
+}
+std::unique_ptr<RollersOnBodies> rollers_on_meshes(const LoadedMechanism&, const MakeModel&, FullSolver&) {
+  throw NotBuilt("model.mechanism: full");
+}
 
 MatrixCache& shared_matrix_cache() { throw NotBuilt("model.bodies: influence"); }
 InfluenceSolver influence_solver(const Conditions&, const Contacts&, const PerInterface<ContactLaw>&, Direction, double,
@@ -145,10 +155,10 @@ FitInput read_fit_input(const input::Source&) { throw NotBuilt("prs fit"); }
 
 // Texts of the verdict about limits.
 std::string describe(StaticLimit) { throw NotBuilt("prs life"); }
-LifeInUse in_use(const LifeResult&, double) { throw NotBuilt("prs life"); }
-std::optional<double> largest_speed(const LoadHistory&, double) { throw NotBuilt("prs life"); }
-std::optional<double> loaded_stroke(const LoadHistory&, double) { throw NotBuilt("prs life"); }
 MeasuresResult analyze_measures(const Conditions&, Contacts, AnalysisOptions) { throw NotBuilt("prs measures"); }
+std::vector<FoundCriterion> measures_criteria(const MeasuresResult&, const JudgedCase&) {
+  throw NotBuilt("prs measures");
+}
 StaticForces solved_static_forces(const Conditions&, const Contacts&, Direction, double, double) {
   throw NotBuilt("prs life");
 }

@@ -1,14 +1,8 @@
 #pragma once
 
-#include "prs/model/model_options.h"
+#include "prs/sector/sector.h"
 
 namespace prs {
-
-/// Solver of the load distribution of bars and refined bodies. Both agree within 1e-10.
-enum class Solver {
-  sparse,  ///< Newton's method on the sparse matrix of the sector.
-  chain,   ///< Station by station, several times as fast; `sparse` if that does not converge.
-};
 
 class FullSolver;
 

@@ -1,9 +1,8 @@
 #include "prs/loads/analyze.h"
 
+#include "prs/bodies/body_solver.h"
 #include "prs/loads/full_result.h"
 #include "prs/model/check_case.h"
-#include "prs/sector/chain/chain_solver.h"
-#include "prs/sector/influence/influence_solver.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {
@@ -17,7 +16,8 @@ class SolverPool {
 
   LoadDistribution solve(Direction direction, double position, double axial_force) {
     DistributionSolver& solver = solvers_[{direction, position}];
-    if (!solver) solver = distribution_solver(conditions_, contacts_, laws_, direction, position, solver_);
+    if (!solver)
+      solver = body_solver(conditions_).at_rest({{conditions_, contacts_, laws_}, direction, position}, solver_);
     return solver(axial_force);
   }
 
@@ -50,11 +50,6 @@ void check_designed(Case& c, Mechanism mechanism) {
 void add(Result& result, LoadCaseResult load_case, Detail detail) {
   if (detail == Detail::complete) add_warnings(load_case, result.contacts);
   result.load_cases.push_back(std::move(load_case));
-}
-
-template <class SolverOfSector>
-DistributionSolver shared(std::shared_ptr<SolverOfSector> solver) {
-  return [solver = std::move(solver)](double axial_force) { return solver->solve(axial_force); };
 }
 
 }  // namespace
@@ -90,7 +85,7 @@ Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options,
       add(result, equal_share_result(load_case, result.contacts, laws), options.detail);
       continue;
     }
-    if (c.model.mechanism == ModelOptions::Mechanism::full) {
+    if (c.model.all_rollers()) {
       add(result, full_result(load_case, c, result.contacts, laws, full, options.detail), options.detail);
       continue;
     }
@@ -106,17 +101,6 @@ Result analyze_contacts(const Conditions& c, Contacts contacts, Detail detail) {
   for (const LoadCase& load_case : c.load_cases)
     if (load_case.share == LoadCase::Share::equal) add(result, equal_share_result(load_case, result.contacts), detail);
   return result;
-}
-
-DistributionSolver distribution_solver(const Conditions& c, const Contacts& contacts,
-                                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
-                                       Solver solver) {
-  if (c.model.bodies == ModelOptions::Bodies::influence)
-    return shared(std::make_shared<InfluenceSolver>(influence_solver(c, contacts, laws, direction, position)));
-  SectorModel model =
-      sector_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws, direction, position, c.deviations);
-  if (solver == Solver::chain) return shared(std::make_shared<FallbackSolver>(std::move(model)));
-  return shared(std::make_shared<SectorSolver>(build_sector(model)));
 }
 
 }  // namespace prs

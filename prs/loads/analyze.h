@@ -32,13 +32,4 @@ inline Result analyze_contacts(const Case& c, Detail detail = Detail::complete) 
   return analyze_contacts(c, checked_contacts(c, detail), detail);
 }
 
-/// Equilibrium of one sector under the axial force on the whole mechanism [N], > 0.
-using DistributionSolver = std::function<LoadDistribution(double axial_force)>;
-
-/// Solver of load after load in one direction, with the first contact at one position on the nut; a separate one for
-/// the influence model. Throws CaseError if a body cannot be meshed.
-DistributionSolver distribution_solver(const Conditions& c, const Contacts& contacts,
-                                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
-                                       Solver solver);
-
 }  // namespace prs

@@ -154,29 +154,15 @@ constexpr Quantity<FullLoads> kFullLoads[] = {
 
 }  // namespace
 
-Record<RollerShares> record_of(Type<RollerShares>) {
-  return {"RollerShares", "How the load spreads over the rollers of a full mechanism.", kRollerShares};
-}
-Record<ScrewEnd> record_of(Type<ScrewEnd>) {
-  return {"ScrewEnd", "The loaded section of the screw of a full mechanism.", kScrewEnd};
-}
-Record<NutSupport> record_of(Type<NutSupport>) { return {"NutSupport", "What holds the nut.", kNutSupport}; }
-Record<SupportForce> record_of(Type<SupportForce>) {
-  return {"BearingForce", "What a bearing does to the screw.", kSupport};
-}
-Record<RingForce> record_of(Type<RingForce>) { return {"RingForce", "What a guide ring does to the rollers.", kRing}; }
-Record<Reactions> record_of(Type<Reactions>) {
-  return {"Reactions", "Forces of the supports of a full mechanism on its parts.", kReactions};
-}
-Record<Symmetric> record_of(Type<Symmetric>) {
-  return {"SymmetricLoads", "The screw under its axial force alone.", kSymmetric};
-}
-Record<OrbitLoads> record_of(Type<OrbitLoads>) {
-  return {"OrbitLoads", "What a turn of the carrier does at an interface.", kOrbitLoads};
-}
-Record<Orbit> record_of(Type<Orbit>) { return {"Orbit", "A turn of the carrier of a full mechanism.", kOrbit}; }
-Record<FullLoads> record_of(Type<FullLoads>) {
-  return {"FullLoads", "What the full mechanism adds to a load case.", kFullLoads};
-}
+PRS_RECORD(RollerShares, "RollerShares", "How the load spreads over the rollers of a full mechanism.", kRollerShares);
+PRS_RECORD(ScrewEnd, "ScrewEnd", "The loaded section of the screw of a full mechanism.", kScrewEnd);
+PRS_RECORD(NutSupport, "NutSupport", "What holds the nut.", kNutSupport);
+PRS_RECORD(SupportForce, "BearingForce", "What a bearing does to the screw.", kSupport);
+PRS_RECORD(RingForce, "RingForce", "What a guide ring does to the rollers.", kRing);
+PRS_RECORD(Reactions, "Reactions", "Forces of the supports of a full mechanism on its parts.", kReactions);
+PRS_RECORD(Symmetric, "SymmetricLoads", "The screw under its axial force alone.", kSymmetric);
+PRS_RECORD(OrbitLoads, "OrbitLoads", "What a turn of the carrier does at an interface.", kOrbitLoads);
+PRS_RECORD(Orbit, "Orbit", "A turn of the carrier of a full mechanism.", kOrbit);
+PRS_RECORD(FullLoads, "FullLoads", "What the full mechanism adds to a load case.", kFullLoads);
 
 }  // namespace prs

@@ -1,5 +1,6 @@
 #include "prs/loads/full_result.h"
 
+#include "prs/bodies/body_solver.h"
 #include "prs/loads/analyze.h"
 #include "prs/mechanism/full_influence.h"
 
@@ -37,12 +38,6 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
     }
   s.overload_factor = s.largest_normal_load / symmetric;
   return s;
-}
-
-std::string why_left_out(const FullLoads& full, bool influence) {
-  if (!influence || full.idle_rollers.empty()) return full.screw_end.left_out;
-  return fmt::format("roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
-                     full.idle_rollers.front());
 }
 
 /// Force between bearings, over the axial force, beyond which balances have less than nine digits.
@@ -93,12 +88,12 @@ class AllRollers {
  public:
   AllRollers(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
              const PerInterface<ContactLaw>& laws, FullSolver& solver, const std::vector<RollerPush>& push = {})
-      : load_case_(load_case), c_(c), contacts_(contacts), laws_(laws), solver_(solver), push_(push) {
-    if (c.model.bodies == ModelOptions::Bodies::influence) bodies_ = full_bodies(c, contacts, laws, model());
+      : load_case_(load_case), c_(c), contacts_(contacts), laws_(laws), push_(push) {
+    bodies_ = body_solver(c).all_rollers(
+        {c, contacts, laws}, [this] { return model(); }, solver);
   }
 
-  bool influence() const { return bodies_.has_value(); }
-  bool shoulder_lifts() const { return bodies_ && bodies_->face; }
+  RollersOnBodies& bodies() const { return *bodies_; }
   /// Model with the turns of the load case.
   FullModel model() const { return model(load_case_, turn_of(contacts_.mechanism, load_case_)); }
   FullModel model(const LoadCase& at, const Turn& turn) const {
@@ -113,9 +108,7 @@ class AllRollers {
     at.spatial.carrier_angle = carrier_angle;
     return model(at, {});
   }
-  FullDistribution solved(const FullModel& model, Detail detail) const {
-    return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
-  }
+  FullDistribution solved(const FullModel& model, Detail detail) const { return bodies_->solve(model, detail); }
   Orbit turned(const SpatialLoad::Orbit& wanted) const {
     return turned(wanted, [this](const FullModel& f) { return solved(f, Detail::numbers); });
   }
@@ -130,27 +123,17 @@ class AllRollers {
   const Conditions& c_;
   const Contacts& contacts_;
   const PerInterface<ContactLaw>& laws_;
-  FullSolver& solver_;
   std::vector<RollerPush> push_;
-  std::optional<FullBodies> bodies_;
+  std::unique_ptr<RollersOnBodies> bodies_;
 };
 
 /// Quasi-static positions of the turning mechanism at rest.
 TravelResult travelled(const AllRollers& all, const LoadCase& load_case, const Mechanism& m) {
   const Travel& wanted = *load_case.travel;
   const auto turn = [&](double theta) { return turn_of(m, wanted, theta); };
-  TravelModel model{[&](double theta) { return all.model(load_case, turn(theta)); }, {}, {}};
-  if (all.influence()) {
-    model.solver = [&] { return [&](const FullModel& f) { return all.solved(f, Detail::complete); }; };
-  } else {
-    model.carrier = [&](double theta) { return turn(theta).carrier - turn(wanted.from).carrier; };
-    model.solver = [] {
-      return [solver = std::make_shared<FullSolver>(FullStart::onwards)](const FullModel& f) {
-        return solver->solve(f, Detail::complete);
-      };
-    };
-  }
-  return travel(model, m, wanted);
+  return travel(all.bodies().travel([&](double theta) { return all.model(load_case, turn(theta)); },
+                                    [&](double theta) { return turn(theta).carrier - turn(wanted.from).carrier; }),
+                m, wanted);
 }
 
 /// Natural modes at the equilibrium d, and at positions of the travel.
@@ -227,7 +210,7 @@ void warn_of_modes(const ModesResult& modes, const Structure& structure, const s
 
 /// Results that belong to no single thread, without the orbit.
 FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution& d, const LoadCase& load_case,
-                     const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws) {
+                     const Conditions& c, const Contacts& contacts) {
   FullLoads full;
   full.freedoms = d.freedoms;
   full.rollers = f.rollers;
@@ -238,14 +221,7 @@ FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution
   full.nut = d.nut;
   full.rings = std::move(d.rings);
   full.bearings = d.bearings;
-  if (all.influence()) {
-    Conditions nominal = c;
-    nominal.deviations = {};
-    full.symmetric = symmetric_loads(
-        f, influence_solver(nominal, contacts, laws, *load_case.direction, *load_case.position).solve(f.axial_force));
-  } else {
-    full.symmetric = symmetric_loads(f);
-  }
+  full.symmetric = all.bodies().symmetric(f);
   full.symmetric_stiffness = f.axial_force / full.symmetric.axial_displacement;
   return full;
 }
@@ -332,7 +308,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
                               contacts.mechanism);
     }
   }
-  FullLoads full = full_loads(all, f, d, load_case, c, contacts, laws);
+  FullLoads full = full_loads(all, f, d, load_case, c, contacts);
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*result.threads)[i];
     loads.threads_per_roller = f.threads();
@@ -362,9 +338,8 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     if (found_modes->left_out.empty()) full.modes = std::move(found_modes);
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
-    warnings.push_back(
-        {"", "no_screw_end_stiffness",
-         fmt::format("the stiffness of the screw's end is left out: {}", why_left_out(full, all.influence()))});
+    warnings.push_back({"", "no_screw_end_stiffness",
+                        fmt::format("the stiffness of the screw's end is left out: {}", full.screw_end.left_out)});
   if (result.axial_displacement && *result.axial_displacement < 0.0)
     warnings.push_back(Warning{"", "negative_stiffness",
                                "the loaded section moves {value} against the force, as side loads "
@@ -374,7 +349,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   warn_of_openings(d, contacts, laws, warnings);
   if (std::optional<Warning> warning = forced_bearings(d.bearings, f.axial_force))
     warnings.push_back(std::move(*warning));
-  if (all.shoulder_lifts())
+  if (all.bodies().shoulder_lifts())
     if (std::optional<Warning> warning = lifted_shoulder(c.structure->nut, d.nut))
       warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));

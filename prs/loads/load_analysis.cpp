@@ -3,6 +3,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
+#include "prs/loads/load_criteria.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/text.h"
@@ -130,6 +131,7 @@ const Analysis<Result>& contact_analysis() {
       .notes = summary_of_warnings,
       .pictures = [](const Result& r, const Case& c) { return with_drawings(contact_pictures(r), c, r); },
       .without_figure = contacts_without_figure,
+      .criteria = load_criteria,
       .all_warnings = all_warnings,
       .responses = kContactResponses,
       .takes_load_cases_apart = true};
@@ -348,6 +350,7 @@ std::string contact_rows(const Contacts& contacts) {
 
 /// A thread's value under load, for load cases with equal shares, one row per interface: all threads of such a case
 /// have the same.
+
 struct LoadColumn {
   std::string_view title;
   std::string_view key;

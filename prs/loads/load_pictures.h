@@ -17,6 +17,7 @@ const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& opt
                                   bool (*has)(const LoadCaseResult&));
 
 /// Quantity compared over the threads, for pictures of analyses that add to the results of load cases.
+
 struct ThreadPlot {
   const char* name;
   const char* title;

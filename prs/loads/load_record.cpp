@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "fe/cholesky.h"
+#include "prs/bodies/body_models.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/record/record_table.h"
 
@@ -236,8 +237,6 @@ PRS_RECORD(LoadCaseResult, "LoadCase",
 
 namespace {
 
-using Bodies = ModelOptions::Bodies;
-
 std::string_view name(ModelOptions::RollerContacts contacts) {
   return contacts == ModelOptions::RollerContacts::opposite ? "opposite" : "half_pitch_apart";
 }
@@ -270,20 +269,20 @@ template <auto of_options, auto applies>
 constexpr auto of_model = of<[](const ModelSummary& s) { return of_options(options_of(s)); },
                              [](const ModelSummary& s) { return applies(options_of(s)); }>;
 
-template <Bodies bodies>
-constexpr auto is = [](const ModelOptions& m) { return m.bodies == bodies; };
+template <bool BodyModel::*ability>
+constexpr auto knows = [](const ModelOptions& m) { return m.bodies->*ability; };
 
 constexpr Quantity<ModelSummary> kModelSummary[] = {
-    {"bodies", of<[](const ModelSummary& s) { return name(options_of(s).bodies); }>, "bars | refined | influence"},
+    {"bodies", of<[](const ModelSummary& s) { return options_of(s).bodies->name; }>, kBodyWords.text},
     {"roller_contacts",
      of<[](const ModelSummary& s) {
        return name(roller_contacts(options_of(s), s.result->contacts.mechanism.starts.roller));
      },
-        [](const ModelSummary& s) { return !is<Bodies::bars>(options_of(s)); }>,
+        [](const ModelSummary& s) { return options_of(s).bodies->grooves; }>,
      "opposite | half_pitch_apart"},
-    {"effects_off", of_model<[](const ModelOptions& m) { return effects_off(m.refined); }, is<Bodies::refined>>,
+    {"effects_off", of_model<[](const ModelOptions& m) { return effects_off(m.refined); }, knows<&BodyModel::effects>>,
      "effects of `refined` that are switched off"},
-    {"accuracy", of_model<[](const ModelOptions& m) { return name(m.accuracy); }, is<Bodies::influence>>,
+    {"accuracy", of_model<[](const ModelOptions& m) { return name(m.accuracy); }, knows<&BodyModel::meshes>>,
      "working | reference, of `influence`"},
     {"tooth_compliance_width_mm",
      of_model<[](const ModelOptions& m) { return m.tooth_compliance.width; }, has_yamamoto>,
@@ -301,30 +300,20 @@ bool has_solved(const Result& result) {
 }
 
 std::string_view known_bias(const ModelOptions& m) {
-  if (m.mechanism == ModelOptions::Mechanism::full && m.bodies == Bodies::bars)
-    return "all rollers; about as much too stiff as `bars` of a sector";
+  const bool full = m.all_rollers();
+  if (full && m.bodies->bias_of_all_rollers != m.bodies->bias) return m.bodies->bias_of_all_rollers;
   if (has_yamamoto(m)) return "for comparison: Hertz has the deflection of the teeth already";
-  switch (m.bodies) {
-    case Bodies::bars:
-      return "17 to 32 % stiffer than finite elements on an inverted 21 x 5 mm screw; nearer: "
-             "`model: {bodies: refined}`";
-    case Bodies::refined:
-      return effects_off(m.refined).empty() ? "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw"
-                                            : "";
-    case Bodies::influence:
-      break;
-  }
-  return "within 0.5 % of finite elements on an inverted 21 x 5 mm screw";
+  return m.bodies->effects && !effects_off(m.refined).empty() ? "" : m.bodies->bias;
 }
 
 std::string model_line(const Result& result) {
   const ModelOptions& m = result.model;
   if (!has_solved(result)) return {};
-  std::string line = fmt::format("bodies: {}", name(m.bodies));
-  if (m.bodies != Bodies::bars)
+  std::string line = fmt::format("bodies: {}", m.bodies->name);
+  if (m.bodies->grooves)
     line += fmt::format(", roller contacts {}", name(roller_contacts(m, result.contacts.mechanism.starts.roller)));
-  if (m.bodies == Bodies::influence) line += fmt::format(", {} accuracy", name(m.accuracy));
-  if (m.bodies == Bodies::refined && !effects_off(m.refined).empty())
+  if (m.bodies->meshes) line += fmt::format(", {} accuracy", name(m.accuracy));
+  if (m.bodies->effects && !effects_off(m.refined).empty())
     line += fmt::format(", without {}", fmt::join(effects_off(m.refined), ", "));
   if (has_yamamoto(m))
     line +=

@@ -111,8 +111,8 @@ Polyline roller_outline(const Case& c, const SectionPlace& p, const Teeth& t, do
   return line;
 }
 
-/// A bar along the flank on which a thread bears. The roller's tooth points to the screw or to the nut; in tension the
-/// screw bears on its far flank.
+/// A bar along the flank on which a thread bears. The roller's tooth points to the screw or to the
+/// nut; in tension the screw bears on its far flank.
 Polyline contact_bar(const Teeth& t, Interface i, Direction direction, double tooth, double axis) {
   const double points = i == Interface::screw ? -1.0 : 1.0;
   const double flank = (i == Interface::screw) == (direction == Direction::tension) ? 1.0 : -1.0;

@@ -252,48 +252,23 @@ constexpr Quantity<ModesResult> kModes[] = {
 
 }  // namespace
 
-Record<TravelLoads> record_of(Type<TravelLoads>) {
-  return {"TravelLoads", "Normal loads over a travel at an interface.", kTravelLoads};
-}
-Record<Spectrum> record_of(Type<Spectrum>) {
-  return {"TravelSpectrum", "Amplitudes of the travel deviation by orders.", kSpectrum};
-}
-Record<OrderAmplitude> record_of(Type<OrderAmplitude>) {
-  return {"TravelOrder", "Amplitude of the travel deviation at an order of a part.", kOrder};
-}
-Record<TravelResult> record_of(Type<TravelResult>) {
-  return {"Travel", "Positions of the turning mechanism, whose parts carry their errors along.", kTravel};
-}
-Record<TravelNut> record_of(Type<TravelNut>) { return {"TravelNut", "The nut's seat over a travel.", kTravelNut}; }
-Record<TravelSupport> record_of(Type<TravelSupport>) {
-  return {"TravelBearing", "A bearing over a travel.", kTravelBearing};
-}
-Record<TravelEnd> record_of(Type<TravelEnd>) {
-  return {"TravelEnd", "The loaded section of the screw over a travel.", kTravelEnd};
-}
-Record<AlongAxes> record_of(Type<AlongAxes>) { return {"AlongAxes", "A number for each axis.", kAlongAxes}; }
-Record<KineticOf> record_of(Type<KineticOf>) {
-  return {"KineticEnergy", "Where the kinetic energy of a mode is.", kKinetic};
-}
-Record<StrainOf> record_of(Type<StrainOf>) {
-  return {"StrainEnergy", "Where the strain energy of a mode is.", kStrain};
-}
-Record<BodyShape> record_of(Type<BodyShape>) {
-  return {"BodyShape", "Displacements of screw or nut in a mode.", kBodyShape};
-}
-Record<RollerShapeOf> record_of(Type<RollerShapeOf>) {
-  return {"RollerShape", "Displacements of the rollers in a mode.", kRollerShape};
-}
-Record<ShapeOf> record_of(Type<ShapeOf>) { return {"ModeShape", "Shape of a mode.", kShape}; }
-Record<ModeOf> record_of(Type<ModeOf>) { return {"Mode", "A natural mode.", kMode}; }
-Record<MotionOrder> record_of(Type<MotionOrder>) {
-  return {"MotionOrder", "How often a motion comes back in a turn.", kMotionOrder};
-}
-Record<AlongTravel> record_of(Type<AlongTravel>) {
-  return {"ModesAlongTravel", "Natural frequencies at positions of the travel.", kAlongTravel};
-}
-Record<ModesResult> record_of(Type<ModesResult>) {
-  return {"Modes", "Natural vibration of the loaded mechanism, without damping.", kModes};
-}
+PRS_RECORD(TravelLoads, "TravelLoads", "Normal loads over a travel at an interface.", kTravelLoads);
+PRS_RECORD(Spectrum, "TravelSpectrum", "Amplitudes of the travel deviation by orders.", kSpectrum);
+PRS_RECORD(OrderAmplitude, "TravelOrder", "Amplitude of the travel deviation at an order of a part.", kOrder);
+PRS_RECORD(TravelResult, "Travel", "Positions of the turning mechanism, whose parts carry their errors along.",
+           kTravel);
+PRS_RECORD(TravelNut, "TravelNut", "The nut's seat over a travel.", kTravelNut);
+PRS_RECORD(TravelSupport, "TravelBearing", "A bearing over a travel.", kTravelBearing);
+PRS_RECORD(TravelEnd, "TravelEnd", "The loaded section of the screw over a travel.", kTravelEnd);
+PRS_RECORD(AlongAxes, "AlongAxes", "A number for each axis.", kAlongAxes);
+PRS_RECORD(KineticOf, "KineticEnergy", "Where the kinetic energy of a mode is.", kKinetic);
+PRS_RECORD(StrainOf, "StrainEnergy", "Where the strain energy of a mode is.", kStrain);
+PRS_RECORD(BodyShape, "BodyShape", "Displacements of screw or nut in a mode.", kBodyShape);
+PRS_RECORD(RollerShapeOf, "RollerShape", "Displacements of the rollers in a mode.", kRollerShape);
+PRS_RECORD(ShapeOf, "ModeShape", "Shape of a mode.", kShape);
+PRS_RECORD(ModeOf, "Mode", "A natural mode.", kMode);
+PRS_RECORD(MotionOrder, "MotionOrder", "How often a motion comes back in a turn.", kMotionOrder);
+PRS_RECORD(AlongTravel, "ModesAlongTravel", "Natural frequencies at positions of the travel.", kAlongTravel);
+PRS_RECORD(ModesResult, "Modes", "Natural vibration of the loaded mechanism, without damping.", kModes);
 
 }  // namespace prs

@@ -2,6 +2,7 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/force_history.h"
+#include "prs/life/life_criteria.h"
 #include "prs/life/life_record.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
@@ -157,7 +158,7 @@ std::string table_with(const LifeResult& r, bool all) {
   return text + warning_section(r.warnings);
 }
 
-/// One row per thread of one roller or, where `Lives` has them, of all rollers.
+/// Rows, one per thread of one roller or, if `Lives` has them, of all rollers.
 template <class Lives>
 std::string lives_csv(const LifeResult& r, const CsvStyle& style, const Lives& (*lives_of)(const ThreadLives&)) {
   constexpr bool all_rollers = std::is_same_v<Lives, RollerLives>;
@@ -253,7 +254,7 @@ Panel course_panel(const LoadHistory& h) {
   };
   const std::size_t columns = std::min(kOverviewColumns, count);
   Series envelope{0, {}};
-  double least = 0.0, greatest = 0.0;
+  Range forces{0.0, 0.0};
   for (std::size_t c = 0; c < columns; ++c) {
     const std::size_t first = c * count / columns;
     const std::size_t last = std::min((c + 1) * count / columns, count - 1);
@@ -262,12 +263,12 @@ Panel course_panel(const LoadHistory& h) {
     const double from = time(first), to = time(last);
     envelope.parts.push_back(
         bar(0.5 * (from + to), *low * per_si::kilonewton, *high * per_si::kilonewton, 0.5 * (to - from)));
-    least = std::min(least, *low * per_si::kilonewton);
-    greatest = std::max(greatest, *high * per_si::kilonewton);
+    forces.include(*low * per_si::kilonewton);
+    forces.include(*high * per_si::kilonewton);
   }
   panel.x = Axis{clock ? "Time" : "Sample", clock ? "h" : "", time(0), time(count - 1)};
-  const double margin = 0.05 * (greatest - least);
-  panel.y = Axis{std::string(kSignedForce), "kN", least - margin, greatest + margin};
+  forces.widen(0.05);
+  panel.y = Axis{std::string(kSignedForce), "kN", forces.from, forces.to};
   panel.series.push_back(std::move(envelope));
   return panel;
 }
@@ -276,17 +277,14 @@ Panel course_panel(const LoadHistory& h) {
 Panel travel_panel(const LifeResult& r) {
   constexpr int kBins = 40;
   Panel panel{"Revolutions under load"};
-  double least = 0.0, greatest = 0.0;
-  for (const LoadStep& s : r.steps) {
-    least = std::min(least, s.axial_force);
-    greatest = std::max(greatest, s.axial_force);
-  }
-  const double width = (greatest - least) / kBins;
+  Range forces{0.0, 0.0};
+  for (const LoadStep& s : r.steps) forces.include(s.axial_force);
+  const double width = (forces.to - forces.from) / kBins;
   std::vector<double> share(kBins, 0.0), damage(kBins, 0.0);
   double all_damage = 0.0;
   for (const LoadStep& s : r.steps) {
     const auto bin =
-        static_cast<std::size_t>(std::clamp(static_cast<int>((s.axial_force - least) / width), 0, kBins - 1));
+        static_cast<std::size_t>(std::clamp(static_cast<int>((s.axial_force - forces.from) / width), 0, kBins - 1));
     const double done = std::pow(std::abs(s.axial_force), kLifeExponent) * s.revolutions;
     share[bin] += s.revolutions / r.revolutions;
     damage[bin] += done;
@@ -295,14 +293,14 @@ Panel travel_panel(const LifeResult& r) {
   Series shares{0, {}}, damages{1, {{}}};
   double top = 0.0;
   for (std::size_t k = 0; k < share.size(); ++k) {
-    const double x = (least + width * (static_cast<double>(k) + 0.5)) * per_si::kilonewton;
+    const double x = (forces.from + width * (static_cast<double>(k) + 0.5)) * per_si::kilonewton;
     const double part = all_damage > 0.0 ? damage[k] / all_damage : 0.0;
     shares.parts.push_back(bar(x, 0.0, per_si::percent * share[k], 0.46 * width * per_si::kilonewton));
     damages.parts[0].push_back({x, per_si::percent * part});
     top = std::max({top, share[k], part});
   }
   panel.series = {std::move(shares), std::move(damages)};
-  panel.x = Axis{std::string(kSignedForce), "kN", least * per_si::kilonewton, greatest * per_si::kilonewton};
+  panel.x = Axis{std::string(kSignedForce), "kN", forces.from * per_si::kilonewton, forces.to * per_si::kilonewton};
   panel.y = Axis{"Share", "%", 0.0, 1.08 * top * per_si::percent};
   return panel;
 }
@@ -459,7 +457,7 @@ Case under_mean_load(const Case& c, const LifeResult& r) {
   return mean;
 }
 
-/// Life modification factor of the mean load at the operation's speed. Throws CaseError where no film follows.
+/// Life modification factor of the mean load at the operation's speed. Throws CaseError if no film follows.
 ModifiedLife modified_life(const Case& c, const LifeResult& r) {
   constexpr double kFatigueLimit = 1.5e9;  // Peak pressure [Pa] that ISO 281 gives for steel of high quality.
   if (!c.friction || !c.operation || !c.lubricant || !c.roughness)
@@ -522,6 +520,7 @@ const Analysis<LifeResult>& life_analysis() {
                 {"thread_lives", kLives, of_result(r, thread_lives)}};
       },
       .converged = [](const LifeResult& r) { return r.converged(); },
+      .criteria = life_criteria,
       .place = {"Life", 1},
       .section = life_section,
       .responses = kLifeResponses};

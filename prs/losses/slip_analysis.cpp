@@ -2,12 +2,15 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
+#include "prs/losses/slip_criteria.h"
+#include "prs/losses/slip_figures.h"
+#include "prs/losses/slip_table.h"
 #include "prs/model/check_case.h"
 
 namespace prs {
 namespace {
 
-/// Says in which load cases the threads take nothing of the preload.
+/// Adds notes on load cases whose threads do not take the preload.
 void add_preload_notes(const Case& c, Result& result) {
   if (!some_load_has_both_flanks(c)) return add_preload_note(c, result.warnings);
   for (LoadCaseResult& r : result.load_cases)
@@ -19,7 +22,7 @@ void add_preload_notes(const Case& c, Result& result) {
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
   add_preload_notes(in.values, result);
-  if (in.values.friction->of_film())
+  if (in.values.friction->facts().has_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
       result.warnings.push_back(std::move(*estimated));
   return result;
@@ -157,7 +160,7 @@ constexpr Quantity<PowerBySource> kPowerShares[] = {kPowerShare<0>, kPowerShare<
                                                     kPowerShare<4>};
 static_assert(std::size(kPowerShares) == std::size(kPowerSources));
 
-/// Absent where nothing is lost.
+/// Shares of the sources; absent if nothing is lost.
 std::optional<PowerBySource> shares(const SlipResult& slip) {
   const double total = slip.power.total();
   if (!(total > 0.0)) return std::nullopt;
@@ -345,6 +348,7 @@ const Analysis<Result>& slip_analysis() {
                                          .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
                                          .converged = have_slip,
                                          .headlines = losses,
+                                         .criteria = slip_criteria,
                                          .all_warnings = all_warnings,
                                          .place = {"Slip and losses", 2},
                                          .section = slip_section,

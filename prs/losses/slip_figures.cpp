@@ -1,7 +1,8 @@
+#include "prs/losses/slip_figures.h"
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
-#include "prs/losses/slip_analysis.h"
+#include "prs/slip/slip_warnings.h"
 
 namespace prs {
 namespace {
@@ -77,7 +78,7 @@ Figures thread_friction(const Case& c, const Result& result, const FigureOptions
   return {thread_friction_figure(*chosen->load_case, *patches, chosen->thread)};
 }
 
-constexpr int kMostArrows = 11;  // Along each axis.
+constexpr int kMostArrows = 11;  // Largest number of arrows along each axis.
 
 /// Styles of the figure in the order of their legend.
 enum PatchStyle : std::size_t { kSliding, kOutline };
@@ -162,7 +163,7 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
   return panel;
 }
 
-/// From zero, unless friction is so even that its differences would not show.
+/// Scale from zero, unless friction is so even that its differences would not show.
 ColourScale friction_scale(const PerInterface<PatchField>& fields) {
   double least = HUGE_VAL, largest = 0.0;
   for (const Interface i : kInterfaces)
@@ -211,7 +212,7 @@ constexpr MomentCurve kCurves[] = {
 /// Indices of the styles after those of the curves.
 constexpr std::size_t kIdeal = std::size(kCurves), kRoot = kIdeal + 1, kZero = kIdeal + 2;
 
-/// How a panel shows slip ratios: (slip ratio - from) * factor.
+/// Transformation of slip ratios in a panel: (slip ratio - from) * factor.
 struct SlipAxis {
   std::string label = "Slip ratio";
   std::string unit = {};
@@ -279,7 +280,7 @@ Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictu
   return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
 }
 
-/// The same of one thread of one load case.
+/// Figure of one thread of one load case.
 Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
                               std::size_t thread) {
   return patch_figure("thread_friction", result, fields, thread);
@@ -316,7 +317,7 @@ constexpr const char* kSlipOfRollers = "a load case of `model: {mechanism: full}
 /// Fields of the load cases, by their index: integrated once for all pictures of them.
 using SlipFields = std::map<std::size_t, SlipPictures>;
 
-/// For the load cases whose slip converged, at most four; of several, names end in `_1`, `_2`, ..
+/// Figures for the load cases whose slip converged, at most four; if there are several, names end in `_1`, `_2`, ..
 auto of_slip(const Result& result, std::function<Figure(std::size_t)> make) {
   return [&result, make = std::move(make)](const FigureOptions& options) {
     constexpr std::size_t kMost = 4;
@@ -343,7 +344,7 @@ Pictures slip_pictures(const Case& c, const Result& r) {
       return make(r.load_cases[k], fields->at(k));
     });
   };
-  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
+  const bool mixed = c.friction && c.friction->is(contact::Lubrication::mixed);
   return with(
       {{"power_by_source", kConvergedSlip, of_result(r, power_by_source)},
        {"thread_power", kConvergedSlip, of_result(r, thread_power)},
@@ -374,7 +375,7 @@ struct SweepPoint {
   const SlipResult* slip = nullptr;
 };
 
-/// By ascending x.
+/// Points sorted by ascending x.
 std::vector<SweepPoint> sweep(const std::vector<double>& x, const std::vector<SlipResult>& results) {
   std::vector<SweepPoint> points;
   for (std::size_t k = 0; k < std::min(x.size(), results.size()); ++k) points.push_back({x[k], &results[k]});
@@ -547,10 +548,10 @@ Figures power_by_source(const Result& result, const FigureOptions& options) {
 namespace {
 
 /// The values over the speed; a line ends where there is none.
-Series over_speed(std::size_t style, const StribeckCurve& curve, auto value) {
+template <class Value>
+Series over_speed(std::size_t style, const StribeckCurve& curve, const std::vector<Value>& values) {
   Series line{style};
-  for (std::size_t k = 0; k < curve.speed.size(); ++k)
-    line.add(curve.speed[k] * per_si::revolution_per_minute, value(k));
+  for (std::size_t k = 0; k < values.size(); ++k) line.add(curve.speed[k] * per_si::revolution_per_minute, values[k]);
   return line;
 }
 
@@ -573,26 +574,23 @@ Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve)
   const std::size_t speed = figure.add("speed of the case", line_of(Colour::muted));
 
   Panel& friction = figure.panels.emplace_back(Panel{"Friction, most loaded threads"});
-  for (const Interface i : kInterfaces)
-    friction.series.push_back(
-        over_speed(style[i], curve, [&](std::size_t k) { return std::optional(curve.friction[i][k]); }));
+  for (const Interface i : kInterfaces) friction.series.push_back(over_speed(style[i], curve, curve.friction[i]));
   friction.y = fitted({"Friction coefficient"}, range_of_y(friction.series), true);
 
   Panel& efficiency = figure.panels.emplace_back(Panel{"Efficiency"});
-  efficiency.series.push_back(over_speed(whole, curve, [&](std::size_t k) {
-    return curve.efficiency[k] ? std::optional(*curve.efficiency[k] * per_si::percent) : std::nullopt;
-  }));
+  std::vector<std::optional<double>> percent = curve.efficiency;
+  for (std::optional<double>& value : percent)
+    if (value) *value *= per_si::percent;
+  efficiency.series.push_back(over_speed(whole, curve, percent));
   efficiency.y = fitted({"Efficiency", "%"}, range_of_y(efficiency.series));
 
   Panel& power = figure.panels.emplace_back(Panel{"Power lost"});
-  power.series.push_back(over_speed(whole, curve, [&](std::size_t k) { return std::optional(curve.power[k]); }));
+  power.series.push_back(over_speed(whole, curve, curve.power));
   power.y = decades("Power lost", "W");
 
   if (!curve.film_ratio.screw.empty()) {
     Panel& film = figure.panels.emplace_back(Panel{"Film over roughness"});
-    for (const Interface i : kInterfaces)
-      film.series.push_back(
-          over_speed(style[i], curve, [&](std::size_t k) { return std::optional(curve.film_ratio[i][k]); }));
+    for (const Interface i : kInterfaces) film.series.push_back(over_speed(style[i], curve, curve.film_ratio[i]));
     film.y = decades("Film over roughness", "");
     const std::size_t bounds = figure.add("boundary, mixed, full film", kMeanStyle);
     film.references = {{bounds, kTouchingFlanks}, {bounds, kFullFilm}};

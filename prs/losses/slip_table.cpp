@@ -1,6 +1,7 @@
-#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_table.h"
 
 #include "prs/loads/case_table.h"
+#include "prs/slip/slip_warnings.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -21,7 +22,7 @@ std::string failure(const LoadCaseResult& result) {
   return text;
 }
 
-/// So many decimals that the number shows about four digits.
+/// Number of decimals that shows about four digits.
 int decimals_of(double largest) {
   if (!(largest > 0.0)) return 0;
   return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6);
@@ -98,7 +99,7 @@ std::string power_lines(const SlipResult& slip) {
   return lines;
 }
 
-/// What the block shows of the threads as a range.
+/// A quantity of the threads shown as a range.
 struct RangeLine {
   std::string_view label;
   std::string_view key;
@@ -208,7 +209,7 @@ std::string change_line(std::string_view label, const std::string& equal, const 
   return block_line(label, equal, beside({solved}) + fmt::format(" {:>10}", change));
 }
 
-/// How much the loads of the case change it, in percent.
+/// Change of a value by the solved loads, in percent.
 std::string ratio_line(std::string_view label, double equal, double solved, std::string_view unit) {
   return change_line(fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
                      four_digits(shown(solved, unit)),
@@ -322,7 +323,7 @@ std::string slip_chart(const LoadCaseResult& result) {
 
 namespace {
 
-/// Those of the search for the slip ratio also where there is no answer.
+/// Writes fields of slip, those of the search for the slip ratio even without a result.
 void slip_fields(CsvWriter& csv, const LoadCaseResult& result) {
   const SlipResult* slip = result.slip ? &*result.slip : nullptr;
   if (slip) {

@@ -2,6 +2,7 @@
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
+#include "prs/loads/load_criteria.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"
@@ -49,9 +50,9 @@ std::string full_solve_text(const Result& result) {
   return text;
 }
 
-/// How much more the most loaded threads carry than those of the same screw loaded symmetrically, if they do.
+/// Ratios of the load of the most loaded threads to that of the same screw under symmetric load, if above 1.
 std::vector<Headline> overloads(const Result& result) {
-  constexpr double kNone = 1.0005;  // What four digits do not show as 1.
+  constexpr double kNone = 1.0005;  // Ratio up to which four digits show 1.
   std::vector<Headline> headlines;
   for (const Interface i : kInterfaces) {
     Headline worst{fmt::format("Overload of a thread, {}", name(i)), "overload_factor", kNone};
@@ -100,6 +101,7 @@ const Analysis<Result>& solve_analysis() {
             std::ranges::move(frequencies(r), std::back_inserter(all));
             return all;
           },
+      .criteria = load_criteria,
       .all_warnings = all_warnings,
       .responses = kSolveResponses,
       .takes_load_cases_apart = true};

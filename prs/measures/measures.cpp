@@ -5,7 +5,7 @@
 
 #include "prs/life/analyze_life.h"
 #include "prs/loads/full_result.h"
-#include "prs/slip/slip.h"
+#include "prs/slip/slip_at_speed.h"
 
 namespace prs {
 namespace {
@@ -90,19 +90,21 @@ void find_stiffness(const Conditions& c, const Contacts& contacts, Measures& m) 
   }
 }
 
+/// The angle of Lemor's formula; none where a contact has none.
+std::optional<double> lemor_angle(const Conditions& c, const Contacts& contacts) {
+  const auto screw = normal_angle(c, contacts, Interface::screw), nut = normal_angle(c, contacts, Interface::nut);
+  return screw && nut ? std::optional(contact_angle({*screw, *nut})) : std::nullopt;
+}
+
 void find_dynamic_capacity(const Conditions& c, const Contacts& contacts, Measures& m) {
-  const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
-  const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
-  if (screw && nut && (!c.materials || is_steel(*c.materials))) {
-    const double angle = contact_angle({*screw, *nut});
-    if (const auto lemor = lemor_capacity(lemor_geometry(contacts.mechanism, angle))) {
+  if (const auto angle = lemor_angle(c, contacts); angle && (!c.materials || is_steel(*c.materials)))
+    if (const auto lemor = lemor_capacity(lemor_geometry(contacts.mechanism, *angle))) {
       m.geometry_factor = lemor->factor;
       m.element_diameter = lemor->element_diameter;
       m.dynamic_capacity = lemor->capacity;
       m.dynamic_capacity_low = lemor->capacity_range.least;
       m.dynamic_capacity_high = lemor->capacity_range.greatest;
     }
-  }
   if (c.life && c.life->dynamic_capacity)
     m.dynamic_capacity = m.dynamic_capacity_low = m.dynamic_capacity_high = c.life->dynamic_capacity;
 }
@@ -275,8 +277,8 @@ class StaticRatings {
   StaticRatings(const Conditions& c, const Contacts& contacts) : c_(c), contacts_(contacts) {}
 
   void rate(const LoadCase& load, LoadMeasures& m) {
-    if (c_.model.mechanism == ModelOptions::Mechanism::full || !load.direction || !load.position ||
-        load.share != LoadCase::Share::solved || !(load.axial_force > 0.0))
+    if (c_.model.all_rollers() || !load.direction || !load.position || load.share != LoadCase::Share::solved ||
+        !(load.axial_force > 0.0))
       return;
     const auto [known, is_new] = ratings_.try_emplace({*load.direction, *load.position});
     if (is_new) {
@@ -305,10 +307,8 @@ std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& conta
     warning->path = path;
     warnings.push_back(std::move(*warning));
   };
-  const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
-  const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
   if (m.geometry_factor && m.dynamic_capacity && !(c.life && c.life->dynamic_capacity))
-    add("mechanism.flank_angle", beside_lemor_angle(contact_angle({*screw, *nut})));
+    add("mechanism.flank_angle", beside_lemor_angle(*lemor_angle(c, contacts)));
   if (m.dynamic_capacity && m.static_capacity)
     add("mechanism.profile", dynamic_above_static(*m.dynamic_capacity, *m.static_capacity));
   if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)

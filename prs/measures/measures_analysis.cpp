@@ -3,6 +3,7 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
+#include "prs/measures/measures_criteria.h"
 #include "prs/model/check_case.h"
 #include "prs/text.h"
 
@@ -431,6 +432,7 @@ const Analysis<MeasuresResult>& measures_analysis() {
       .pictures = [](const MeasuresResult& r, const Case&) { return measures_pictures(r); },
       .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); },
       .headlines = capacity,
+      .criteria = measures_criteria,
       .warnings = [](auto& r) -> decltype(auto) { return (r.analysis.warnings); },
       .all_warnings = [](const MeasuresResult& r) { return all_warnings(r.analysis); },
       .place = {"Design measures", 4},

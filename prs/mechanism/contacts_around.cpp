@@ -1,8 +1,9 @@
-#include "prs/mechanism/full_influence.h"
+#include "prs/mechanism/contacts_around.h"
 
 #include <Eigen/Jacobi>
 
 #include "fe/lu.h"
+#include "prs/sector/influence/influence_solver.h"
 
 namespace prs {
 namespace {

@@ -1,8 +1,11 @@
-#include "prs/mechanism/linearised.h"
+#include "prs/mechanism/full_distribution.h"
 
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+
+#include "prs/mechanism/full_structure.h"
+#include "prs/mechanism/linearised.h"
 
 namespace prs {
 namespace {

@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 
+#include "prs/mechanism/contacts_around.h"
+#include "prs/mechanism/full_structure.h"
+
 namespace prs {
 namespace {
 
@@ -9,7 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostFaceRounds = 10;
 /// Share of the mean load below which a roller carries nothing.
 constexpr double kIdle = 1e-6;
 
@@ -405,16 +407,12 @@ FullBodies full_bodies(const Conditions& c, const Contacts& contacts, const PerI
   const Direction direction = f.sense() < 0.0 ? Direction::tension : Direction::compression;
   const BodyGeometry geometry = influence_geometry(c, contacts, laws, direction);
   const FlexibilityOptions options = flexibility_options(c.model.accuracy);
-  try {
+  return meshed_or_refused([&]() -> FullBodies {
     const BodyFlexibilities alike = body_flexibilities(geometry, direction, f.sector.position, options, cache);
     return {screw_around(geometry, direction, screw_stations(f), options, cache),
             nut_around(geometry, direction, f.sector.position, nut_stations(f), options, cache), alike.roller.matrix,
             alike.nut.face};
-  } catch (const std::invalid_argument& reason) {
-    throw CaseError("model.bodies", fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
-                                                "the geometry",
-                                                reason.what()));
-  }
+  });
 }
 
 double lifting_moment(const Structure::Nut& nut, const SupportForce& seat) {
@@ -433,25 +431,18 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
   d.freedoms = a.freedoms();
   const ContactsAroundOptions options = a.options();
   ContactsAroundSolution s = prs::solve(a.problem, options);
-  std::vector<fe::NewtonIteration> history = s.history;
-  if (bodies.face && s.converged()) {
+  if (bodies.face) {
     const ThrustFace& face = *bodies.face;
     const ThrustFace::Touching all = face.all();
-    ThrustFace::Touching touching = face.touching_under(VectorXd::Ones(f.threads()), all).value_or(all);
-    bool settled = false;
-    for (int round = 0; round < kMostFaceRounds && s.converged(); ++round) {
-      const auto now = face.touching_under(a.mean_nut_load(s.normal_load), touching);
-      settled = now == touching;
-      if (settled || !now) break;
-      a.add_to_nut(face.flexibility(*now) - face.flexibility(touching));
-      touching = *now;
-      s = prs::solve(a.problem, options, &s);
-      history.insert(history.end(), s.history.begin(), s.history.end());
-    }
-    if (s.converged() && !settled) s.status = fe::NewtonStatus::iteration_limit;
+    settle_on_shoulder(
+        face, face.touching_under(VectorXd::Ones(f.threads()), all).value_or(all), s,
+        [&] { return a.mean_nut_load(s.normal_load); },
+        [&](const MatrixXd& change) {
+          a.add_to_nut(change);
+          s = prs::solve(a.problem, options, &s);
+        });
   }
   d.solve = s;
-  d.solve.history = std::move(history);
   if (!d.solve.converged()) {
     if (load_left(f, structure) > 1e-9) {
       d.solve.status = fe::NewtonStatus::no_equilibrium;
@@ -460,7 +451,13 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
     return d;
   }
   a.read(s, d);
-  if (detail == Detail::complete && d.idle_rollers.empty()) a.add_compliance(s, d);
+  if (detail != Detail::complete) return d;
+  if (d.idle_rollers.empty())
+    a.add_compliance(s, d);
+  else
+    d.screw_end.left_out =
+        fmt::format("roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
+                    d.idle_rollers.front() + 1);
   return d;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fe/model.h"
+#include "fe/shell.h"
 #include "prs/sector/sector_model.h"
 #include "prs/threads/motion_orders.h"
 
@@ -109,112 +109,5 @@ inline FullModel full_model(const Mechanism& mechanism, const Structure& structu
 
 /// Expresses the model in axes turned by `angle` from y towards z, for parts with rotational symmetry.
 void turn_axes(FullModel& model, double angle);
-
-/// A node of screw or nut at x: (u, y, y') and (-, z, z') as two plane nodes. The wall of a nut has its own u, radial
-/// displacement and tilt, and those of its harmonics.
-struct SpatialNode {
-  double x = 0.0;
-  int y_plane = 0;
-  int z_plane = 0;
-  int axial = 0;  ///< Node with its u: `y_plane`, or that of the wall.
-  int wall = -1;  ///< Node (u, v, theta) of the wall; nodes of its harmonics follow. -1: none.
-};
-
-/// The full mechanism as a structure of beams, springs and constraints. Displacements are relative to the rigid motion
-/// of the whole mechanism with the seat of the nut.
-struct FullStructure {
-  struct Roller {
-    std::vector<int> nodes;                   ///< Nodes along x.
-    std::vector<double> x;                    ///< x of the nodes [m].
-    PerInterface<std::vector<int>> contacts;  ///< Node of each thread.
-    std::array<std::vector<int>, 2> guided;   ///< Nodes that the near and the far ring guide.
-    int first_spring = 0;                     ///< First spring of the screw's contacts; those at the nut follow.
-
-    int spring(Interface i, std::size_t thread) const {
-      return first_spring + static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.screw.size()));
-    }
-  };
-  /// Guidance of a roller by a ring: a constraint, an elastic link or two stops.
-  struct Guide {
-    std::size_t roller = 0;  ///< Index into FullModel::present.
-    std::size_t ring = 0;    ///< 0 near, 1 far.
-    double x = 0.0;          ///< Point of action [m].
-    int constraint = -1;
-    int link = -1;
-    int stop = -1;  ///< Spring of the outward stop, whose approach is v against the ring; the inward one follows.
-  };
-  /// Support of a freedom: a constraint or an elastic link, or none.
-  struct Held {
-    int node = 0;
-    fe::Dof dof = fe::Dof::u;
-    int constraint = -1;
-    int link = -1;
-  };
-  /// A bearing, or the seat of the nut.
-  struct Support {
-    double x = 0.0;
-    Held u, y, z, y_slope, z_slope;
-  };
-
-  fe::Model model;
-  std::vector<SpatialNode> screw, nut;
-  std::vector<Roller> rollers;  ///< Rollers as in FullModel::present.
-  std::vector<Guide> guides;
-  std::array<int, 2> rings{-1, -1};           ///< (-, y, z as u and v) of floating rings.
-  std::array<const SpatialNode*, 2> seats{};  ///< Seats of the rings on screw or nut; null: housing.
-  Support housing;
-  std::vector<Support> bearings;  ///< Bearings as in FullModel; several may hold one freedom.
-  int loaded = 0;                 ///< Index in `screw`.
-  std::vector<fe::NodalLoad> loads;
-  std::vector<std::vector<fe::NodalLoad>> per_force;  ///< Loads per force of each spring.
-
-  FullStructure() = default;
-  FullStructure(FullStructure&&) = default;
-  FullStructure& operator=(FullStructure&&) = default;
-};
-
-/// Lateral displacement at x of the subtracted rigid motion [m].
-Lateral rigid_offset(const FullModel& model, double x);
-/// Slopes y' and z' of the subtracted rigid motion [rad].
-Lateral rigid_slope(const FullModel& model);
-
-/// Additional stations of a structure, besides those for its loads and supports.
-struct FullMesh {
-  std::vector<double> screw, nut;  ///< x [m]
-  double longest = 0.0;            ///< Largest length of pieces of screw and nut; longer ones are divided evenly [m].
-};
-
-/// The structure; with a mesh, nodes of screw and nut closer than `kNearNodes` are not joined by a beam, whose large
-/// stiffness would cost digits: one follows the other, and the deformation of a beam between them is a freedom of its
-/// own.
-FullStructure full_structure(const FullModel& model, const std::optional<FullMesh>& mesh = {});
-inline constexpr double kNearNodes = 2e-4;  // [m]
-
-/// Section of a body at x.
-const RollerSection<double>& section_at(const std::vector<BodyPiece>& pieces, double x);
-
-/// Motions of rigid parts that nothing resists: no contact, guide, bearing or spring.
-struct FreeMotions {
-  int count = 0;
-  std::vector<std::string> parts;  ///< Moving parts: screw, ring, roller 3.
-};
-
-/// Motions without resistance, by the rows of contacts, constraints and springs over the rigid motions of the screw, of
-/// each roller and of each floating ring, each row scaled to one and rotations taken in 1/r_R: those of singular values
-/// below 1e-9 of the largest. `closed` selects the contacts and stops that count, all if empty.
-FreeMotions free_motions(const FullModel& model, const FullStructure& structure, const std::vector<bool>& closed = {});
-
-/// Load on the rigid parts that no forces of contacts, which only push, and of guides, bearings and springs, which do
-/// both, can balance: the smallest by least squares, moments over r_R, as a share of the axial force. 0 if an
-/// equilibrium exists (Farkas).
-double load_left(const FullModel& model, const FullStructure& structure);
-
-/// Smallest axial force with which the other loads are held [N], up to a thousand times the given one; absent if no
-/// force holds them.
-std::optional<double> holding_force(const FullModel& model);
-
-/// Explanation of a mechanism and a load that nothing holds.
-std::string why_free(const FreeMotions& motions);
-std::string why_not_held(const FullModel& model, const FullStructure& structure);
 
 }  // namespace prs

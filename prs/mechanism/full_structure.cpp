@@ -1,4 +1,4 @@
-#include "prs/mechanism/full_model.h"
+#include "prs/mechanism/full_structure.h"
 
 #include <fmt/format.h>
 
@@ -237,7 +237,7 @@ class Builder {
       }
       if (i >= 2 && i + 2 < x.size())
         for (const Interface at : kInterfaces) {
-          // Of the two contacts of a tooth the screw's faces against the load.
+          // Two contacts of a tooth: the screw's faces against the load.
           const bool second = (at == Interface::screw) == (f_.sense() < 0.0);
           if (!sector.contacts_apart() || (i % 2 == 1) == second) roller.contacts[at].push_back(node);
         }
@@ -507,8 +507,8 @@ Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
   return units.topRows(count);
 }
 
-/// Whether the smallest singular value of a triangle is above kNoResistance times the largest, by 1/|R^-1| and |R| in
-/// Frobenius' norm, which bound them; far cheaper than the values.
+/// Whether the smallest singular value of a triangle is above kNoResistance times the largest, by
+/// 1/|R^-1| and |R| in Frobenius' norm, which bound them; far cheaper than the values.
 bool surely_regular(const Eigen::MatrixXd& r) {
   const Eigen::MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
   return kNoResistance * r.norm() * inverse.norm() < 1.0;  // false with NaN and infinity.

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/linearised.h"
 
 namespace prs {

@@ -26,9 +26,9 @@ struct ReportInput {
   Butterfly butterfly = Butterfly::of_mean;
 };
 
-/// What a file states besides the mechanism: bodies, materials, loads, operation, options. Blocks
-/// that the file leaves out are empty. What computes on contacts takes these conditions and the
-/// mechanism of the contacts, which is complete; that of the file is out of its reach.
+/// Contents of a case file besides the mechanism: bodies, materials, loads, operation, options. Blocks that the file
+/// leaves out are empty. Functions that compute on contacts take these conditions and the complete mechanism of the
+/// contacts, so that they cannot use the incomplete mechanism of the file by mistake.
 struct Conditions {
   // Defined in case.cpp: inline copies of so many members cost time and size in all sources that hold a case.
   Conditions();
@@ -62,13 +62,9 @@ inline bool has_butterflies_of_load(const Conditions& c) {
   return c.report && c.report->butterfly == ReportInput::Butterfly::of_load;
 }
 
-/// All rollers between bodies of `influence` know no friction on their threads.
-inline bool knows_friction(const ModelOptions& model) {
-  return model.bodies != ModelOptions::Bodies::influence || model.mechanism == ModelOptions::Mechanism::sector;
-}
 /// Whether slip, heat and life take the loads of a running screw, if friction and a speed are given.
 inline bool slip_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
-  return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest && knows_friction(model);
+  return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest && model.friction();
 }
 /// Whether `solve` takes the loads of a running screw.
 inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
@@ -82,7 +78,7 @@ inline double screw_speed(const Conditions& c, const LoadCase& load) {
 
 /// Whether slip, heat and life compute both flanks of a nut, or both nuts.
 inline bool has_both_flanks(const Conditions& c, LoadCase::Share share) {
-  return c.preload && share == LoadCase::Share::solved && c.model.mechanism == ModelOptions::Mechanism::sector;
+  return c.preload && share == LoadCase::Share::solved && !c.model.all_rollers();
 }
 inline bool some_load_has_both_flanks(const Conditions& c) {
   return std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return has_both_flanks(c, load.share); });

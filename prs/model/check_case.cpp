@@ -66,6 +66,20 @@ void need_solve(const Case& c, Problems& problems) {
     require_slip(c, problems);
 }
 
+bool solve_takes_running_loads(const Case& c) {
+  return std::ranges::any_of(c.load_cases,
+                             [&](const auto& load) { return solve_takes_running_loads(c.model, load.share); });
+}
+
+bool slip_takes_running_loads(const Case& c) {
+  return std::ranges::any_of(c.load_cases,
+                             [&](const auto& load) { return slip_takes_running_loads(c.model, load.share); });
+}
+
+bool life_takes_running_loads(const Case& c) {
+  return c.life && life_takes_running_loads(static_cast<const Conditions&>(c));
+}
+
 void need_compare(const Case& c, Problems& problems) {
   require_load_cases(c, Command::compare, problems);
   require_loads(c, Command::compare, problems);
@@ -151,8 +165,8 @@ void add_parts(std::vector<VoidInput>& inputs, const PerPart<bool>& is_void, std
 std::vector<VoidInput> void_inputs(const Case& c) {
   using Teeth = ModelOptions::ToothCompliance::Kind;
   std::vector<VoidInput> inputs;
-  if (!c.structure || c.model.bodies == ModelOptions::Bodies::influence) return inputs;
-  const bool bars = c.model.bodies == ModelOptions::Bodies::bars;
+  if (!c.structure || c.model.bodies->meshes) return inputs;
+  const bool bars = !c.model.bodies->grooves;
   const bool rigid_teeth = c.model.tooth_compliance.kind == Teeth::none;
   PerInterface<bool> hertz, both;
   for (const Interface i : kInterfaces) {

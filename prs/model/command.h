@@ -13,6 +13,8 @@ struct Command {
   std::string_view word;
   /// Adds inputs that the case lacks: each with the block to add and an example.
   void (*needs)(const Case&, Problems&) = nullptr;
+  /// Whether the loads of threads that it takes are those of a running screw; none where it takes none.
+  bool (*takes_running_loads)(const Case&) = nullptr;
 
   // Commands that other sources name. Blocks of searches: see input::unmet.
   static const Command check, contact, solve, compare, slip, preload, life, measures, response, study, optimize, fit,
@@ -31,14 +33,19 @@ void need_life(const Case& c, Problems& problems);
 void need_measures(const Case& c, Problems& problems);
 void need_response(const Case& c, Problems& problems);
 
+inline bool takes_loads_at_rest(const Case&) { return false; }
+bool solve_takes_running_loads(const Case& c);
+bool slip_takes_running_loads(const Case& c);
+bool life_takes_running_loads(const Case& c);
+
 inline constexpr Command Command::check{"check"};
-inline constexpr Command Command::contact{"contact"};
-inline constexpr Command Command::solve{"solve", need_solve};
-inline constexpr Command Command::compare{"compare", need_compare};
-inline constexpr Command Command::slip{"slip", need_slip};
-inline constexpr Command Command::preload{"preload", need_preload};
-inline constexpr Command Command::life{"life", need_life};
-inline constexpr Command Command::measures{"measures", need_measures};
+inline constexpr Command Command::contact{"contact", nullptr, takes_loads_at_rest};
+inline constexpr Command Command::solve{"solve", need_solve, solve_takes_running_loads};
+inline constexpr Command Command::compare{"compare", need_compare, takes_loads_at_rest};
+inline constexpr Command Command::slip{"slip", need_slip, slip_takes_running_loads};
+inline constexpr Command Command::preload{"preload", need_preload, takes_loads_at_rest};
+inline constexpr Command Command::life{"life", need_life, life_takes_running_loads};
+inline constexpr Command Command::measures{"measures", need_measures, takes_loads_at_rest};
 inline constexpr Command Command::response{"response", need_response};
 inline constexpr Command Command::study{"study"};
 inline constexpr Command Command::optimize{"optimize"};

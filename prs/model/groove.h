@@ -50,8 +50,8 @@ double default_root_depth(double pitch, double flank_angle);
 /// between the flanks, `kMeshedRootDepth` only; both at most 95 % of the height at which flanks meet.
 Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle, double forward_angle);
 
-/// Smallest wall that `Bodies::refined` allows below the roots, and under a flange outside the pitch radius, in
-/// pitches.
+/// Least wall that `kRefined` takes below the roots, and under a flange outside the pitch
+/// radius, in pitches.
 inline constexpr double kLeastWall = 0.1;
 
 }  // namespace prs

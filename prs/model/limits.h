@@ -11,7 +11,7 @@ struct LeastLife {
   std::optional<double> travel = {};    ///< [m]
 };
 
-/// Limits that a case is checked against, see prs/run/check.h. SI units; none has a default.
+/// Limits that a case is held against, see prs/model/criterion.h. SI units; none has a default.
 struct Limits {
   std::optional<LeastLife> life;
   std::optional<double> static_safety;

@@ -187,15 +187,16 @@ void require_preload(const Case& c, Problems& problems) {
     problems.add_missing("structure", "the parts around the threads for `preload`",
                          "{roller: {end_length: 5 mm, end_diameter: 5 mm}, nut: {length: 90 mm, outer_diameter: "
                          "46 mm, thrust: {tension: 10 mm}}}");
-  if (c.model.mechanism == ModelOptions::Mechanism::full)
+  if (c.model.all_rollers())
     problems.add("model.mechanism",
                  "got full, whose rollers touch one flank; expected sector, which joins both for "
                  "`preload`; write `mechanism: sector` and see the rollers of the loaded flank by "
                  "`solve`");
-  if (c.model.bodies == ModelOptions::Bodies::influence)
+  if (!c.model.bodies->both_flanks)
     problems.add("model.bodies",
-                 "got influence; expected bars | refined: `preload` joins both sides in one "
-                 "one-dimensional model; write `bodies: refined`");
+                 "got {}; expected bars | refined: `preload` joins both sides in one "
+                 "one-dimensional model; write `bodies: refined`",
+                 c.model.bodies->name);
 }
 
 void need_preload(const Case& c, Problems& problems) {
@@ -263,7 +264,7 @@ void check_preloaded_life(const Case& c, Problems& problems) {
 
 /// Checks the load case whose side loads act together with the forces of `life`.
 void check_load_case_of_life(const Case& c, Problems& problems) {
-  if (!c.life->load_case || c.model.mechanism == ModelOptions::Mechanism::sector) return;
+  if (!c.life->load_case || !c.model.all_rollers()) return;
   if (c.life->share == LoadCase::Share::equal) {
     problems.add("life.load_case",
                  "stands with `share: equal`, which has all rollers carry alike; expected no such "
@@ -284,9 +285,7 @@ void check_load_case_of_life(const Case& c, Problems& problems) {
 
 /// Requires a choice of load case if side loads differ between them.
 void require_load_case_of_life(const Case& c, Problems& problems) {
-  if (c.model.mechanism == ModelOptions::Mechanism::sector || c.life->load_case ||
-      c.life->share == LoadCase::Share::equal)
-    return;
+  if (!c.model.all_rollers() || c.life->load_case || c.life->share == LoadCase::Share::equal) return;
   const SpatialLoad* first = nullptr;
   for (const LoadCase& load : c.load_cases) {
     if (load.share == LoadCase::Share::equal) continue;
@@ -339,7 +338,7 @@ void need_life(const Case& c, Problems& problems) {
   if (c.life->takes_heat(warms(c.heat))) require_warm_life(c, problems);
   require_load_case_of_life(c, problems);
   if (!c.preload) return;
-  if (c.model.mechanism == ModelOptions::Mechanism::full && c.life->share == LoadCase::Share::solved)
+  if (c.model.all_rollers() && c.life->share == LoadCase::Share::solved)
     problems.add("preload",
                  "got a preload with `mechanism: full`, whose flanks of the other sense are not in "
                  "the model; expected one of them; write `mechanism: sector`, or delete `preload`");

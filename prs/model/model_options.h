@@ -3,9 +3,11 @@
 #include <optional>
 #include <string_view>
 
+#include "prs/model/body_model.h"
+
 namespace prs {
 
-/// Effects that `Bodies::refined` adds to the bars, each switched on its own (docs/refined.md).
+/// What `kRefined` adds to the bars, each effect on its own (docs/refined.md).
 struct RefinedEffects {
   bool core = true;           ///< Sections at the thread's root, not at the pitch diameter.
   bool shear = true;          ///< Shear in the roller's bending.
@@ -23,10 +25,7 @@ inline constexpr int kFewestPatchPoints = 9;
 
 /// Choices of the model.
 struct ModelOptions {
-  /// How screw, roller and nut deform. `bars` is the model of Abevi 2015; `refined` keeps one
-  /// dimension and adds what bars miss; `influence` takes grooved bodies of revolution by finite
-  /// elements.
-  enum class Bodies { bars, refined, influence };
+  using Bodies = const BodyModel*;  ///< Never null.
   enum class Roller { flexible, rigid_bending };
   /// Loads that slip and all results after it are computed from: a screw at rest, or one that turns with its friction.
   enum class Loads { at_rest, running };
@@ -45,13 +44,13 @@ struct ModelOptions {
   /// Positions along the axis at which rollers of a full mechanism touch: all at the same places,
   /// or along the helix.
   enum class ContactPhase { equal, helical };
-  /// Meshes of the influence model.
+  /// Meshes of models by finite elements.
   enum class Accuracy { working, reference };
 
   Mechanism mechanism = Mechanism::sector;
   ContactPhase contact_phase = ContactPhase::equal;
   bool shear = false;  ///< Timoshenko beams in screw, nut and rollers of a full mechanism.
-  Bodies bodies = Bodies::bars;
+  Bodies bodies = &kBars;
   std::optional<Loads> loads;  ///< If absent: at rest for `solve`, running for slip and life.
   Roller roller = Roller::flexible;
   bool roller_shear = false;                      ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
@@ -60,12 +59,12 @@ struct ModelOptions {
   RefinedEffects refined;
   Accuracy accuracy = Accuracy::working;
   int patch_points = 21;  ///< Points along each axis of a contact patch, kFewestPatchPoints or more.
-};
 
-constexpr std::string_view name(ModelOptions::Bodies bodies) {
-  using enum ModelOptions::Bodies;
-  return bodies == bars ? "bars" : bodies == refined ? "refined" : "influence";
-}
+  bool all_rollers() const { return mechanism == Mechanism::full; }
+  // These are as `mechanism` has it.
+  bool friction() const { return all_rollers() ? bodies->friction_on_all_rollers : bodies->friction; }
+  bool side_by_side() const { return !all_rollers() && bodies->side_by_side; }
+};
 
 constexpr std::string_view name(ModelOptions::Loads loads) {
   return loads == ModelOptions::Loads::running ? "running" : "static";
@@ -78,9 +77,7 @@ inline ModelOptions::RollerContacts roller_contacts(const ModelOptions& model, i
 }
 
 /// Name of a model: that of its bodies, or `full` for all rollers.
-constexpr std::string_view name_of_model(const ModelOptions& m) {
-  return m.mechanism == ModelOptions::Mechanism::full ? "full" : name(m.bodies);
-}
+inline std::string_view name_of_model(const ModelOptions& m) { return m.all_rollers() ? "full" : m.bodies->name; }
 
 /// Extent of a computed result.
 enum class Detail {

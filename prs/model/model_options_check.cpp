@@ -29,23 +29,24 @@ void check_shoulder_meets_face(const Structure::Nut& nut, double bore, Problems&
   }
 }
 
-/// Smallest wall below the roots that `influence` can mesh, in pitches.
+/// Least wall below the roots that can be meshed, in pitches.
 constexpr double kLeastMeshedWall = 0.42;
 
-/// Checks walls outside the thread: `refined`, whose roots may be less deep there, measures them from the pitch
-/// diameter, `influence` from the roots.
-void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double dedendum, double pitch, bool meshed,
-                     Problems& problems) {
+/// Walls outside the thread: meshes count them from the roots, others, whose roots may be less deep there, from the
+/// pitch diameter.
+void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double dedendum, double pitch,
+                     const BodyModel& bodies, Problems& problems) {
+  const bool meshed = bodies.meshes;
   const double inner = pitch_diameter + (meshed ? 2.0 * dedendum : 0.0);
   const double pitches = meshed ? kLeastMeshedWall : kLeastWall;
   const double least = inner + 2.0 * pitches * pitch;
   // Paths are built for an error only: studies check each design.
   const auto check = [&](auto path, double outer, std::string_view what) {
     if (outer < least)
-      problems.add(path(), fmt::format("got {}; expected at least {} for `bodies: {}`, {} pitches of wall "
-                                       "outside the {} of the thread; widen the {}",
-                                       mm(outer), mm(least), meshed ? "influence" : "refined", pitches,
-                                       meshed ? "roots" : "pitch line", what));
+      problems.add(path(),
+                   fmt::format("got {}; expected at least {} for `bodies: {}`, {} pitches of wall "
+                               "outside the {} of the thread; widen the {}",
+                               mm(outer), mm(least), bodies.name, pitches, meshed ? "roots" : "pitch line", what));
   };
   check([] { return "structure.nut.outer_diameter"; }, nut.outer_diameter, "nut");
   for (std::size_t i = 0; i < nut.flanges.size(); ++i)
@@ -53,10 +54,11 @@ void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double de
           "flange");
 }
 
-/// Checks teeth and walls for `refined` and `influence`.
-void check_threaded_walls(const Case& c, std::string_view bodies, Problems& problems) {
+/// Teeth and walls of models with grooves.
+void check_threaded_walls(const Case& c, Problems& problems) {
+  const BodyModel& bodies = *c.model.bodies;
   const Mechanism& m = c.mechanism;
-  const bool meshed = c.model.bodies == ModelOptions::Bodies::influence;
+  const bool meshed = bodies.meshes;
   const double pitch = axial_pitch(m);
   for (const Part part : kParts) {
     const std::optional<double>& diameter = m.pitch_diameter[part];
@@ -73,13 +75,13 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
           problems.add(fmt::format("mechanism.thread.{}.{}", name(part), key),
                        fmt::format("got {}; expected {} to {} for `bodies: {}`, where the flanks "
                                    "have not met; change it",
-                                   mm(height), mm(least), mm(0.98 * sharp), bodies));
+                                   mm(height), mm(least), mm(0.98 * sharp), bodies.name));
     }
     if (!c.structure) continue;
     const double dedendum = m.thread[part] ? m.thread[part]->dedendum
                                            : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
     if (part == Part::nut) {
-      check_nut_walls(c.structure->nut, *diameter, dedendum, pitch, meshed, problems);
+      check_nut_walls(c.structure->nut, *diameter, dedendum, pitch, bodies, problems);
       continue;
     }
     const double root = 0.5 * *diameter - dedendum;
@@ -89,52 +91,59 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
       problems.add(part == Part::screw ? "structure.screw.bore" : "mechanism.pitch_diameter.roller",
                    fmt::format("leaves a wall of {} below the threads, whose root lies at a diameter of {}; "
                                "expected at least {} for `bodies: {}`; change it or take `bodies: bars`",
-                               mm(wall), mm(2.0 * root), mm(thinnest), bodies));
+                               mm(wall), mm(2.0 * root), mm(thinnest), bodies.name));
   }
 }
 
 }  // namespace
 
 void check_bodies(const Case& c, Problems& problems) {
-  using enum ModelOptions::Bodies;
   const ModelOptions& model = c.model;
+  const BodyModel& bodies = *model.bodies;
+  const bool full = model.all_rollers();
   const double width = model.tooth_compliance.width;
   const double least = 0.02 * axial_pitch(c.mechanism);
   if (model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto && width < least)
     problems.add("model.tooth_compliance.yamamoto",
                  fmt::format("got {}; expected at least {}, 2 % of the pitch; check the unit", mm(width), mm(least)));
-  if (model.bodies == bars) return;
-  const std::string_view bodies = model.bodies == refined ? "refined" : "influence";
-  if (model.bodies == influence && c.mechanism.rollers < 2)
+  if (!bodies.single_roller && c.mechanism.rollers < 2)
     problems.add("mechanism.rollers",
-                 "got 1 with `bodies: influence`, where rollers around the screw hold it in the "
-                 "middle; expected at least 2; take `bodies: bars` for one roller");
-  if (model.bodies == influence && model.roller == ModelOptions::Roller::rigid_bending)
+                 "got 1 with `bodies: {}`, where rollers around the screw hold it in the "
+                 "middle; expected at least 2; take `bodies: bars` for one roller",
+                 bodies.name);
+  if (!bodies.straight_rollers && model.roller == ModelOptions::Roller::rigid_bending)
     problems.add("model.roller",
-                 "got `rigid_bending` with `bodies: influence`, whose rollers bend; expected "
-                 "`flexible`; take `bodies: bars` or `refined` for rollers that stay straight");
-  if (!knows_friction(model) && model.loads == ModelOptions::Loads::running)
+                 "got `rigid_bending` with `bodies: {}`, whose rollers bend; expected "
+                 "`flexible`; take `bodies: bars` or `refined` for rollers that stay straight",
+                 bodies.name);
+  if (!model.friction() && model.loads == ModelOptions::Loads::running)
     problems.add("model.loads",
-                 "got `running` with `bodies: influence` and all rollers, which take no friction; "
-                 "expected `static`; take `bodies: bars` or `refined` for running loads");
-  if (model.bodies == influence && model.mechanism == ModelOptions::Mechanism::full && c.structure &&
-      c.structure->roller.guidance.clearance > 0.0)
+                 "got `running` with `bodies: {}`{}, which take no friction; "
+                 "expected `static`; take `bodies: bars` or `refined` for running loads",
+                 bodies.name, full ? " and all rollers" : "");
+  if (!bodies.all_rollers && full)
+    problems.add("model.mechanism",
+                 "got full with `bodies: {}`, which know one roller with its share; expected sector; take `bodies: "
+                 "bars` or `refined` for all rollers",
+                 bodies.name);
+  if (!bodies.loose_guides_of_all_rollers && full && c.structure && c.structure->roller.guidance.clearance > 0.0)
     problems.add("structure.roller.guidance.clearance",
-                 fmt::format("got {} with `bodies: influence` and `mechanism: full`, whose rings are rigid lines; "
-                             "expected 0; take `bodies: bars` or `refined`, or `mechanism: sector`",
-                             mm(c.structure->roller.guidance.clearance)));
+                 "got {} with `bodies: {}` and `mechanism: full`, whose rings are rigid lines; "
+                 "expected 0; take `bodies: bars` or `refined`, or `mechanism: sector`",
+                 mm(c.structure->roller.guidance.clearance), bodies.name);
+  if (!bodies.grooves) return;
   if (model.roller_shear)
     problems.add("model.roller_shear",
-                 fmt::format("got `true` with `bodies: {}`, which has it anyway; expected it with "
-                             "`bodies: bars` only; remove it",
-                             bodies));
-  check_threaded_walls(c, bodies, problems);
+                 "got `true` with `bodies: {}`, which has it anyway; expected it with "
+                 "`bodies: bars` only; remove it",
+                 bodies.name);
+  check_threaded_walls(c, problems);
   if (c.structure && c.structure->nut.shoulder)
     check_shoulder_meets_face(c.structure->nut, c.mechanism.pitch_diameter.nut.value_or(0.0), problems);
 }
 
 void check_thickness(const Case& c, Problems& problems) {
-  if (c.model.bodies == ModelOptions::Bodies::bars) return;
+  if (!c.model.bodies->grooves) return;
   for (const Part part : kParts)
     if (const auto& thread = c.mechanism.thread[part]; thread && thread->thickness)
       problems.add(fmt::format("mechanism.thread.{}.thickness", name(part)),
@@ -398,7 +407,7 @@ void check_motion(const Case& c, Problems& problems) {
                    load.travel->steps, load.travel->turns);
     if (!load.modes) continue;
     const std::string path = load.input_path + ".modes";
-    if (c.model.bodies != ModelOptions::Bodies::bars)
+    if (!c.model.bodies->masses)
       problems.add(path,
                    "stands with `model.bodies` other than bars, whose masses are not in the model; "
                    "expected no such key there; delete it, or write `bodies: bars`");
@@ -500,11 +509,12 @@ void check_places(const Case& c, Problems& problems) {
 }  // namespace
 
 void check_full_mechanism(const Case& c, Problems& problems) {
-  if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
-  if (c.model.bodies == ModelOptions::Bodies::influence && c.model.contact_phase != ModelOptions::ContactPhase::equal)
+  if (!c.model.all_rollers()) return refuse_in_sector(c, problems);
+  if (!c.model.bodies->helical_contacts && c.model.contact_phase != ModelOptions::ContactPhase::equal)
     problems.add("model.contact_phase",
-                 "got helical with `bodies: influence`, bodies of revolution whose ridges have no "
-                 "lead; expected equal; delete it, or take `bodies: refined`");
+                 "got helical with `bodies: {}`, bodies of revolution whose ridges have no "
+                 "lead; expected equal; delete it, or take `bodies: refined`",
+                 c.model.bodies->name);
   if (c.mechanism.rollers < 2)
     problems.add("mechanism.rollers",
                  "got {}; expected at least 2 with `mechanism: full`; add rollers, or write "

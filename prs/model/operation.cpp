@@ -103,6 +103,7 @@ contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature
   const contact::WaltherLine line = line_of(lubricant);
   contact::Lubricant oil =
       with_viscosity(lubricant, density_of(lubricant) * contact::kinematic_viscosity(line, temperature));
+  oil.temperature = temperature;
   if (!stated_coefficient(lubricant)) oil.temperature_coefficient = contact::temperature_coefficient(line, temperature);
   return oil;
 }
@@ -154,5 +155,11 @@ std::optional<Warning> estimated_lubricant(const Lubricant& l) {
 std::span<const NamedLubricant> named_lubricants() { return kLubricants; }
 
 const NamedLubricant& data_of(LubricantName name) { return kLubricants[static_cast<std::size_t>(name)]; }
+
+contact::FrictionLaw Friction::at(Interface i) const {
+  PerInterface<contact::LawParametersOf<double>> laws;
+  simd::deliver(static_cast<const contact::LawParametersOf<PerInterface<double>>&>(*this), &laws.screw, 2);
+  return {laws[i], kind};
+}
 
 }  // namespace prs

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "contact/film.h"
+#include "contact/friction_laws.h"
 #include "contact/journal_bearing.h"
 #include "prs/model/part.h"
 #include "prs/model/warning.h"
@@ -89,22 +89,24 @@ std::string origin_of(std::string_view key, LubricantName name);
 /// Warning about values of a lubricant that are estimates, and how to replace them; none if all are stated.
 std::optional<Warning> estimated_lubricant(const Lubricant& lubricant);
 
-/// Flanks that a film separates partly (Olver and Spikes 1998), see `contact::Patch`.
-struct MixedFriction {
-  double boundary = 0.0;  ///< Coefficient without film.
-  double exponent = 2.0;  ///< Exponent of the share of touching flanks, `contact::boundary_share`.
+/// Law of friction of the threads; its parameters may differ between screw and nut, as their flanks and oil do (Sandu
+/// 2018, section 2.3.2).
+struct Friction : contact::LawParametersOf<PerInterface<double>> {
+  contact::FrictionKind kind = {};
+
+  contact::LawFacts facts() const { return contact::facts_of(kind); }
+  bool is(contact::Lubrication lubrication) const { return facts().lubrication == lubrication; }
+  /// The law at an interface, without film.
+  contact::FrictionLaw at(Interface i) const;
 };
 
-/// Law of friction of the threads; Coulomb's coefficient may differ between screw and nut, as their flanks
-/// and oil do (Sandu 2018, section 2.3.2).
-struct Friction {
-  enum class Model { jacod, coulomb, mixed };
-  Model model = Model::jacod;
-  PerInterface<double> coefficient = {};  ///< Coulomb only.
-  MixedFriction mixed = {};
-
-  bool of_film() const { return model != Model::coulomb; }
-};
+template <template <class> class Law>
+Friction friction_by(const Law<PerInterface<double>>& parameters) {
+  Friction friction;
+  static_cast<Law<PerInterface<double>>&>(friction) = parameters;
+  friction.kind = contact::kind_of<Law>;
+  return friction;
+}
 
 /// Wear of flanks by Archard (J. Appl. Phys. 24, 1953, 981): volume = k times the integral of pressure times sliding
 /// distance, sum of both bodies.

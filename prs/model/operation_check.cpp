@@ -78,12 +78,11 @@ void check_speed(const Conditions& c, const LoadCase& load, bool may_rest, Probl
                  "got {} in case `{}` together with `heat`; expected a speed other than 0: a screw at rest makes no "
                  "heat; write the pause as `rest` in `heat.duty`",
                  rpm(speed), load.name);
-  else if (may_rest && c.friction && c.friction->model == Friction::Model::jacod)
-    problems.add(
-        path,
-        "got {} in case `{}`; expected a speed other than 0 with `friction: {{model: jacod}}`, whose film does "
-        "not hold a screw at rest; take `{{coulomb: 0.12}}` or `{{mixed: ..}}` for the torques that hold it",
-        rpm(speed), load.name);
+  else if (may_rest && c.friction && !c.friction->facts().holds_at_rest())
+    problems.add(path,
+                 "got {} in case `{}`; expected a speed other than 0 with `friction: {{model: {}}}`, whose film does "
+                 "not hold a screw at rest; take `{{coulomb: 0.12}}` or `{{mixed: ..}}` for the torques that hold it",
+                 rpm(speed), load.name, c.friction->facts().name);
   else if (!may_rest)
     problems.add(path, fmt::format("got {} in case `{}`; expected a speed other than 0: at rest nothing "
                                    "slips; change `operation.speed` or give the case a `speed` of its "
@@ -251,13 +250,13 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
 }
 
 void require_friction(const Conditions& c, Problems& problems) {
-  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
-  if (c.friction && c.friction->of_film() && !c.lubricant)
-    problems.add_missing("lubricant",
-                         fmt::format("the lubricant for `friction: {{model: {}}}`", mixed ? "{mixed: ..}" : "jacod"),
+  const contact::LawFacts law = c.friction ? c.friction->facts() : contact::LawFacts{};
+  if (law.has_film() && !c.lubricant)
+    problems.add_missing("lubricant", fmt::format("the lubricant for friction of the kind `{}`", law.name),
                          kLubricantExample);
-  if (mixed && !c.roughness)
-    problems.add_missing("roughness", "the Rq of the flanks for `friction: {model: {mixed: ..}}`", "0.4 um");
+  if (law.lubrication == contact::Lubrication::mixed && !c.roughness)
+    problems.add_missing("roughness", fmt::format("the Rq of the flanks for friction of the kind `{}`", law.name),
+                         "0.4 um");
   if (c.carrier.is_oiled() && !c.lubricant)
     problems.add_missing("lubricant", "the lubricant of `carrier.bearing`, whatever the law of friction",
                          kLubricantExample);

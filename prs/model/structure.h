@@ -107,7 +107,7 @@ struct Structure {
     double outer_diameter = 0.0;
     std::vector<Flange> flanges;
     Thrust thrust;
-    std::optional<Shoulder> shoulder = {};  ///< From the nut's to the flange's diameter if absent.
+    std::optional<Shoulder> shoulder = {};  ///< Spans from the nut's to the flange's diameter if absent.
     Housing housing = {};
   };
 

@@ -163,7 +163,8 @@ struct MapAxis {
   std::vector<std::size_t> levels;  ///< Indices of the factor's levels, one per node.
   std::vector<double> numbers;      ///< Numbers of the levels, in the factor's unit.
   bool logarithmic = false;         ///< Equidistant in their logarithm.
-  /// Whether factor and companions have values between two nodes: quantities, not words or whole numbers.
+  /// Whether factor and companions have values between two nodes: quantities, not words or whole
+  /// numbers.
   bool continuous = false;
 
   std::size_t nodes() const { return numbers.size(); }

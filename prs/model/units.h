@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-/// Units of results, SI and US; inch, pound and pound-force are exact by definition (NIST SP 811, appendix B).
+/// The units of results, SI and US, and the US units by definition (NIST SP 811, appendix B).
 namespace prs {
 
 inline constexpr double kInch = 0.0254;
@@ -15,8 +15,8 @@ inline constexpr double kPerInch = 1.0 / kInch;
 inline constexpr double kPerPound = 1.0 / kPound;
 inline constexpr double kPerPoundForce = 1.0 / kPoundForce;
 
-/// Unit of results: the suffix in keys of documents, its text for people, and shown = SI * factor; with the unit of
-/// tables in US units where US designers use another.
+/// A unit of results: how the keys of documents end in it, how people write it, and shown = SI *
+/// factor. Tables in US units show another one where US designers use another.
 struct ShownUnit {
   std::string_view suffix = {};
   std::string_view text = {};
@@ -29,8 +29,7 @@ struct ShownUnit {
 
 inline constexpr ShownUnit kNoUnit;
 
-/// Longer suffixes come before the suffixes that they end in. Speeds of rotation, angles, times and powers have no
-/// other US unit, so that torques agree with rpm and W.
+/// Longer suffixes before their own ends.
 inline constexpr ShownUnit kShownUnits[] = {
     {"_N_per_mm1_5", "N/mm^1.5", 3.16227766016837933e-5, "lbf/in^1.5", kPerPoundForce * 0.004048093872429343},
     {"_mm3_per_km", "mm³/km", 1e12},
@@ -81,7 +80,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_s", "s", 1.0},
 };
 
-/// Unit with this text, also `um` for `µm`; kNoUnit if there is none.
+/// The unit that people write so, also `um` for `µm`; kNoUnit where there is none.
 constexpr const ShownUnit& unit_written(std::string_view text) {
   constexpr std::string_view kMicro = "µ";
   for (const ShownUnit& unit : kShownUnits) {

@@ -10,7 +10,7 @@
 namespace prs {
 namespace {
 
-/// Decimals that leave `digits` significant digits, none of them beyond the point taken away.
+/// The number with `digits` significant digits, or with all digits before the point if these are more.
 std::string number(double shown, int digits) {
   if (shown == 0.0 || std::abs(shown) < 1e-4) return fmt::format("{:.{}g}", shown, digits);
   const int before = 1 + static_cast<int>(std::floor(std::log10(std::abs(shown))));

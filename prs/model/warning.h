@@ -18,7 +18,7 @@ struct Warning {
 
   std::string path;      ///< Key of the input concerned; may be empty.
   std::string code;      ///< Kind of warning: `screw_peak_pressure`. With `path` it names a group.
-  std::string what;      ///< A sentence; `{value}` and `{limit}` stand for the numbers.
+  std::string what;      ///< A sentence with `{value}` and `{limit}` in place of the numbers.
   std::string fix = {};  ///< How to fix it.
   std::optional<double> value = {}, limit = {};  ///< [SI]
   ShownUnit unit = {};

@@ -11,8 +11,8 @@ Record<OptimizationResult> record_of(Type<OptimizationResult>);
 /// percent, the front by numbers of its designs, the front of each search, and a comparison with the check.
 nlohmann::ordered_json optimize_json(const OptimizationResult& result, const DocumentInfo& info);
 
-/// Result of an optimization within 100 columns: variables, objectives and constrained responses of the file's own
-/// design and of the compromise, then the constraints and the check.
+/// Result of an optimization within 100 columns: variables, objectives and constrained responses of
+/// the file's own design and of the compromise, then the constraints and the check.
 std::string optimize_table(const OptimizationResult& result);
 
 /// Reason why there is no compromise; empty if there is one.

@@ -21,8 +21,8 @@ struct EvaluatedDesign {
 struct Search {
   Algorithm algorithm = Algorithm::nsga2;
   std::vector<EvaluatedDesign> designs;
-  /// Pareto front: indices of feasible designs for which no other is as good in every objective and better in one; the
-  /// first of equal ones. Ascending in the first objective.
+  /// Pareto front: indices of feasible designs for which no other is as good in every objective and
+  /// better in one; the first of equal ones. Ascending in the first objective.
   std::vector<std::size_t> front;
 };
 
@@ -107,14 +107,15 @@ class Fitness {
 /// The objectives of a design, oriented so that less is better, in their units.
 std::vector<double> costs(const Optimization& optimization, const EvaluatedDesign& design);
 
-/// Indices of the points that no other point dominates, of equal ones the first, ascending in the first coordinate.
-/// Less is better. O(n log n) for two coordinates, else O(n x front).
+/// Indices of the points that no other point dominates, of equal ones the first, ascending in the
+/// first coordinate. Less is better. O(n log n) for two coordinates, else O(n x front).
 std::vector<std::size_t> non_dominated(const std::vector<std::vector<double>>& points);
 
 /// Front of the designs of both searches, from their separate fronts.
 std::vector<std::size_t> joint_front(const OptimizationResult& result);
 
-/// The design of `result.front` that the optimization's compromise chooses; the first of equal ones.
+/// The design of `result.front` that the optimization's compromise chooses; the first of equal
+/// ones.
 std::optional<std::size_t> compromise_of(const OptimizationResult& result);
 
 FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial, const Search& search,

@@ -30,7 +30,8 @@ Conditions with_interference(Conditions c, const Contacts& contacts);
 /// Axial load of each side without external load, as the fit was made, at the reference temperature [N].
 double reference_preload(const Conditions& c, const Contacts& contacts);
 
-/// Equilibria of a fit under either sense of the load: one solver each, which differ in the section that holds the nut.
+/// Equilibria of a fit under either sense of the load: one solver each, which differ in the section
+/// that holds the nut.
 class PreloadedMechanism {
  public:
   PreloadedMechanism(const PreloadSectors& sectors, const Fit& fit)
@@ -106,7 +107,7 @@ struct PreloadResult {
   std::optional<PerPart<double>> temperature;      ///< Temperatures of the parts, if different [K].
   std::optional<std::string> load_case;            ///< Load case whose heat determines them.
   HeatStatus heat_status = HeatStatus::converged;  ///< Status of that heat.
-  std::optional<double> interference;              ///< As `Preload::interference`; absent with play [m].
+  std::optional<double> interference;              ///< Interference as in `Preload`; absent with play [m].
   /// External load at which the opposing side opens [N], > 0.
   PerDirection<std::optional<double>> opening_force;
   double lost_motion_load = 0.0;  ///< [N]

@@ -53,6 +53,7 @@ struct Analysis {
   bool (*within_tolerance)(const R&) = nullptr;    ///< Whether the result meets its tolerance.
   std::string (*wrong_input)(const R&) = nullptr;  ///< Error of the input that the result only reports; empty: none.
   std::vector<Headline> (*headlines)(const R&) = nullptr;
+  std::vector<FoundCriterion> (*criteria)(const R&, const JudgedCase&) = nullptr;  ///< See prs/model/criterion.h.
   OwnWarnings<R> warnings = [](auto& result) -> decltype(auto) { return (result.warnings); };
   /// Warnings of load cases included; without the function as `warnings`.
   std::vector<Warning> (*all_warnings)(const R&) = nullptr;
@@ -86,6 +87,7 @@ struct AnyAnalysis {
   bool takes_load_cases_apart = false;
   std::string_view result_class = {};  ///< Class in Python; empty: that of the command's name.
   bool is_built = true;                ///< false in a program that only lists the command (PRS_FULL).
+  bool is_judged = false;              ///< Whether it has criteria.
 };
 
 /// A kind of file other than a case, and the analysis that reads it.
@@ -133,6 +135,8 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in, cons
   if (analysis.wrong_input) d.wrong_input = analysis.wrong_input(*result);
   if (analysis.section) d.section = [&analysis, result] { return analysis.section(*result); };
   if (analysis.headlines) d.headlines = [&analysis, result] { return analysis.headlines(*result); };
+  if (analysis.criteria)
+    d.criteria = [&analysis, result](const JudgedCase& of) { return analysis.criteria(*result, of); };
   if (!analysis.load_case) return d;
   d.outline = [&analysis, result](const DocumentInfo& info) { return document_of(analysis, *result, info, false); };
   d.write = [&analysis, result](const Json& outline, const TextSink& sink) {
@@ -152,7 +156,10 @@ AnyAnalysis any(const Analysis<R>& analysis) {
           analysis.places,
           analysis.place,
           analysis.responses,
-          analysis.takes_load_cases_apart};
+          analysis.takes_load_cases_apart,
+          {},
+          true,
+          analysis.criteria != nullptr};
 }
 
 }  // namespace prs

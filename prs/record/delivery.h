@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <typeinfo>
 
+#include "prs/model/criterion.h"
 #include "prs/model/warning.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/pictures.h"
@@ -104,6 +105,7 @@ struct Delivery {
   /// Writes the document as text, piece by piece, from its outline; empty: use `json_text`.
   std::function<void(const Json&, const TextSink&)> write = {};
   std::function<std::vector<Headline>()> headlines = {};
+  std::function<std::vector<FoundCriterion>(const JudgedCase&)> criteria = {};
   std::function<PageSection()> section = {};  ///< Layout on the page.
 
   /// The result itself; null if it is of another type.

@@ -21,8 +21,7 @@ namespace prs {
 
 using Json = nlohmann::ordered_json;
 
-/// The unit at the end of a key, `MPa` of `peak_pressure_MPa`; kNoUnit where there is none, as in
-/// `share_of_revolutions`.
+/// The unit at the end of a key, `MPa` of `peak_pressure_MPa`; kNoUnit if there is none, as in `share_of_revolutions`.
 constexpr const ShownUnit& unit_of(std::string_view key) {
   for (const ShownUnit& unit : kShownUnits)
     if (key.ends_with(unit.suffix))

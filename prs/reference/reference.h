@@ -39,8 +39,8 @@ struct ReferenceCurve {
   std::string load_case;  ///< Empty of responses of the whole case.
   Command command = Command::solve;
   std::string response;  ///< Path in a load case, `screw.load_rate_percent`, or in the document: `life.system.life_km`.
-  std::string unit;      ///< Unit of the response as people write it: `um`; empty of ratios.
-  std::string along;     ///< `thread`, the key or path of an input, or nothing.
+  std::string unit;      ///< Unit of the response for people: `um`; empty for ratios.
+  std::string along;     ///< `thread`, the key or path of an input, or empty.
   std::string along_unit;
   std::vector<ReferenceReading> readings;  ///< Readings, ascending.
   std::optional<Spread> tolerance;

@@ -212,7 +212,8 @@ std::string name_of_item(const Findings& all, const std::string& path) {
   return fmt::format("no. {}", std::stoi(path.substr(path.find('[') + 1)) + 1);
 }
 
-/// A load of the life's spectrum and the force of a load case that it follows: one of the same size and direction.
+/// A load of the life's spectrum and the force of a load case that it follows: one of the same size
+/// and direction.
 struct Follower {
   std::string path, leader;
 };

@@ -26,7 +26,7 @@ std::vector<Warning> warnings_of(const Findings& all) {
   return warnings;
 }
 
-/// By what was computed; `failures` of commands that found the case wrong.
+/// Verdict by the computed results; `failures`: commands that found an error in the case.
 CaseVerdict verdict_of(const Findings& all, const input::CaseInput& in, std::vector<Attempt> failures = {}) {
   for (const CommandAnswer& answer : all.answers) failures.push_back({answer.command, &answer.delivery});
   return verdict_by(in, failures);
@@ -48,14 +48,14 @@ Findings nothing_of(input::Source source, const input::CaseInput& in) {
   Findings all;
   all.source = std::move(source);
   all.date = date_of_report();
-  all.is_full = in.values.model.mechanism == ModelOptions::Mechanism::full;
+  all.is_full = in.values.model.all_rollers();
   return all;
 }
 
 void add_answer(Findings& all, Command command, Delivery delivery) {
   CommandAnswer answer{command, std::move(delivery), {}};
   DocumentInfo info = document_info(all.source, command);
-  info.resolved_input = {};  // That of the check is the page's.
+  info.resolved_input = {};  // The resolved input of the check is that of the page.
   answer.document = answer.delivery.document(info);
   if (answer.delivery.pictures) answer.pictures = answer.delivery.pictures();
   all.converged = all.converged && answer.delivery.converged;
@@ -66,7 +66,7 @@ std::string number_html(const std::string& value, std::string_view unit) {
   return value + (unit.empty() ? "" : fmt::format(" <small>{}</small>", html(unit)));
 }
 
-/// Also where a page moved values away from those of the report.
+/// HTML of a tile; also if a page moved values away from those of the report.
 std::string tile_html(std::string_view key, std::string_view classes, std::string_view title, const std::string& number,
                       const std::string& before, const std::string& below) {
   return fmt::format(
@@ -104,7 +104,7 @@ std::string headlines_html(const Findings& all) {
 
 // Cards of the verdict.
 
-/// In what the page shows value and limit.
+/// Unit in which the page shows value and limit.
 ReportUnit card_unit(const Criterion& c) {
   const auto [unit, factor] = shown(c);
   const ReportUnit of_page = report_unit("", unit);
@@ -122,8 +122,8 @@ bool has_cycle(const Findings& all) {
   return slip && slip->heat_cycle;
 }
 
-/// Place of the worst value, and the best if that is another one; none of efficiencies at
-/// temperatures that a duty cycle does not reach.
+/// Place of the worst value, and of the best if different; none for efficiencies at temperatures that a duty cycle does
+/// not reach.
 std::string place_of(const Findings& all, const Criterion& c) {
   constexpr double kSame = 0.01;
   std::string where = c.load_case;
@@ -146,7 +146,7 @@ std::string card_html(const Findings& all, const Criterion& c) {
   if (all.before)
     for (const Criterion& other : all.before->verdict.criteria)
       if (other.name == c.name) before = value_html(other);
-  // Its worst load is one of `life`, in a spectrum or history of its own.
+  // The worst load is one of `life`, in a separate spectrum or history.
   if (c.load_case.starts_with("life.") && all.unmoved.contains(Command::life))
     return tile_html(c.name, kStale, c.title, value_html(c), before, where_html(kStays));
   if (c.limit) below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c));
@@ -211,7 +211,7 @@ Findings findings_of(input::Source source, ReportOptions options, std::span<cons
 
 Findings quick_findings_of(input::Source source, FullSolver& full) {
   input::CaseInput in = input::read_case_input(source, Command::check);
-  in.study.reset();  // Whether its designs are sound is said when the values rest.
+  in.study.reset();  // The study's designs are checked after the values are at rest.
   in.optimize.reset();
   in.fields.clear();  // Shown when the values rest.
   Findings all = nothing_of(std::move(source), in);

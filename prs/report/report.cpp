@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "prs/bodies/body_models.h"
 #include "prs/compare/compare_analysis.h"
 #include "prs/compare/reference_analysis.h"
 #include "prs/loads/full_result.h"
@@ -66,8 +67,7 @@ std::string case_table_html(const Json& document, const RecordChoice& choice) {
 
 // Pictures
 
-/// Those of an answer that a command draws, by a condition on their names; of what shows one load
-/// case, one for each of several.
+/// Figures that a command draws from an answer, selected by name; figures of one load case are repeated for several.
 template <class Choose>
 std::string pictures_html(Findings& all, const CommandAnswer* answer, const Choose& choose) {
   std::string text;
@@ -78,7 +78,7 @@ std::string pictures_html(Findings& all, const CommandAnswer* answer, const Choo
   return text;
 }
 
-/// One by its name for each of the first load cases that it exists for.
+/// Figures of one name for each of the first load cases that have it.
 std::string each_case_html(Findings& all, const CommandAnswer& answer, std::string_view name, bool narrow) {
   constexpr std::size_t kMost = 4;
   const auto picture = std::ranges::find(answer.pictures, name, &Picture::name);
@@ -100,7 +100,7 @@ bool is_of_rollers(std::string_view name) { return is_one_of(name, {"roller_load
 
 // Sections
 
-/// How many there are: `11`, or `10 of 11` where some are missing.
+/// Number of rollers: `11`, or `10 of 11` if some are missing.
 std::string rollers_of(const Findings& all) {
   const std::string places = input_value(all, "mechanism.rollers");
   const auto missing = std::ranges::count_if(all.checked().fields, [](const input::EchoEntry& field) {
@@ -117,7 +117,7 @@ std::string title_of(const Findings& all) {
   return title.empty() ? std::filesystem::path(all.source.name).stem().string() : title;
 }
 
-/// What every sheet of a print is marked with.
+/// Mark of every printed sheet.
 std::string mark_of_sheets(const Findings& all) {
   std::string mark = title_of(all);
   for (const auto& [key, before] : {std::pair{"number", "No. "}, std::pair{"revision", "rev. "}})
@@ -132,7 +132,7 @@ std::string download_link(std::string_view name, std::string_view type, std::str
 
 }  // namespace
 
-/// Title block: what the file says of the report, and what it was made from.
+/// Title block: texts of the file about the report, and its origin.
 std::string head_html(const Findings& all) {
   const Contacts& contacts = all.checked().geometry.contacts;
   const auto length = [](double si) {
@@ -206,7 +206,7 @@ std::string comparison_html(const ModelComparison& comparison) {
   return plain_table(head, rows, true);
 }
 
-/// What a reader asks for first, a row each; all numbers of the threads fold.
+/// Most important rows first, one each; the numbers of all threads are folded.
 std::string loads_table_html(const Json& document) {
   const std::vector<std::string> first{"axial_force_N",
                                        "direction",
@@ -489,11 +489,12 @@ std::set<std::string> validation_records(const Findings& all) {
   if (all.is_full) names.insert("full_mechanism");
   for (const CommandAnswer& answer : all.answers) {
     const std::string command(name(answer.command));
-    if (command == "compare") names.insert({"bars", "refined", "influence"});
+    if (command == "compare")
+      for (const auto& row : kBodyModels) names.emplace(row.model.name);
     if (command != "check" && command != "compare" && command != "solve") names.insert(command);
     const Result* result = answer.delivery.result<Result>();
     if (!result) continue;
-    if (has_solved(*result)) names.insert(std::string(prs::name(result->model.bodies)));
+    if (has_solved(*result)) names.insert(std::string(result->model.bodies->name));
     if (result->heat_cycle) names.insert("heat");
     for (const LoadCaseResult& load_case : result->load_cases) {
       if (load_case.running) names.insert("running");
@@ -504,7 +505,7 @@ std::set<std::string> validation_records(const Findings& all) {
   return names;
 }
 
-/// How each load case was solved, and where all comes from.
+/// Solution of each load case, and origin of all results.
 std::string provenance_html(Findings& all) {
   std::string text = "<dl class=\"facts\">\n";
   const auto fact = [&](const char* title, const std::string& value) {
@@ -522,7 +523,7 @@ std::string provenance_html(Findings& all) {
   fact("Schema of the input", html(all.origin.schema_version));
   const CommandAnswer* solve = all.answer(Command::solve);
   if (const Result* result = all.result<Result>(Command::solve); result && has_solved(*result)) {
-    fact("Model of the bodies", html(prs::name(result->model.bodies)));
+    fact("Model of the bodies", html(result->model.bodies->name));
     fact("What the model means", html(known_bias(result->model)));
   }
   std::string records;
@@ -612,7 +613,7 @@ Json data_of(const Findings& all, const Json& head, std::optional<std::size_t> r
 
 }  // namespace
 
-/// Those of the analyses, in their places.
+/// Sections of the analyses, at their places.
 std::vector<SectionRow> analysis_rows() {
   std::vector<const AnyAnalysis*> shown;
   for (const AnyAnalysis& analysis : analyses())

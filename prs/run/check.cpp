@@ -16,6 +16,7 @@
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/run/commands.h"
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_warnings.h"
 #include "prs/text.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/motion_orders.h"
@@ -190,7 +191,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
                        padded(c.value ? number(*c.value) : "", 9, false) + ' ' +
                        padded(std::string(is_known ? table_unit(*documents).text : unit), 9, true) +
                        padded(limit, 33, true) + ' ' + padded(words(c), 13, true);
-    // What is too long for the line stands below it.
+    // The place is below the line if it is too long for it.
     if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
     text += ended(line);
     if (!where.empty()) text += wrapped(where, std::string(kTitleWidth, ' '), kTableWidth);
@@ -207,7 +208,7 @@ std::string head(const CheckResult& result) {
 /// Readiness by command and what to add, warnings, derived values.
 std::string check_table(const CheckResult& result) { return head(result) + derived(result.geometry.contacts); }
 
-/// The same, with every value of the input: given, assumed or a default.
+/// The table with every value of the input: given, assumed or a default.
 std::string full_check_table(const CheckResult& result) {
   return head(result) + input_list(result) + derived(result.geometry.contacts);
 }
@@ -217,19 +218,22 @@ void put_check(Json& document, const CheckResult& result) {
   put_contacts(document, result.geometry.contacts);
 }
 
-/// What `solve` gives of the largest loads.
+/// Results of `solve` for the largest loads.
 std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double largest) {
   Case c = in.values;
   std::erase_if(c.load_cases, [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
-  c.heat.reset();  // Its duty may name load cases that are gone.
+  c.heat.reset();  // The duty may name load cases that were removed.
   return analyze(c).load_cases;
 }
 
-/// What `solve` finds unusual about the largest loads, and `life` about those of its block.
+bool has_life(const input::CaseInput& in) {
+  return analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty();
+}
+
+/// Warnings of `solve` about the largest loads, and of `life` about those of its block.
 std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in, double largest) {
   std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
-  if (analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty())
-    std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
+  if (has_life(in)) std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
   return warnings;
 }
 
@@ -260,7 +264,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
                behind = largest_load(with_start(-kOff));
   if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
   std::string life;
-  if (analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty()) {
+  if (has_life(in)) {
     const double whole = life_of(source, in).system_life;
     const double left =
         std::min(life_of(source, with_start(kOff)).system_life, life_of(source, with_start(-kOff)).system_life);
@@ -289,8 +293,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   const Case& c = in.values;
   const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
-  const bool is_quick =
-      c.model.mechanism == ModelOptions::Mechanism::sector && c.model.bodies != ModelOptions::Bodies::influence;
+  const bool is_quick = c.model.side_by_side();
   std::vector<Warning> warnings;
   try {
     if (is_quick && input::unmet(in, Command::solve).empty()) {
@@ -299,30 +302,12 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
         warnings.push_back(std::move(*note));
     } else if (largest != c.load_cases.end())
       warnings = equal_share_warnings(*largest, geometry.contacts);
-  } catch (const CaseError&) {  // The command that cannot run says why.
+  } catch (const CaseError&) {  // The command that cannot run reports the reason.
   } catch (const input::InputError&) {
   }
   for (Warning& warning : warnings)
     if (std::ranges::find(geometry.warnings, warning) == geometry.warnings.end())
       geometry.warnings.push_back(std::move(warning));
-}
-
-/// The loads of threads that a command takes.
-std::optional<ModelOptions::Loads> thread_loads_of(const Case& c, Command command) {
-  const auto any = [&](bool (*runs)(const ModelOptions&, LoadCase::Share)) {
-    return std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return runs(c.model, load.share); });
-  };
-  bool running = false;
-  if (command == Command::solve)
-    running = any(solve_takes_running_loads);
-  else if (command == Command::slip)
-    running = any(slip_takes_running_loads);
-  else if (command == Command::life)
-    running = c.life && life_takes_running_loads(c);
-  else if (command != Command::contact && command != Command::compare && command != Command::preload &&
-           command != Command::measures)
-    return std::nullopt;
-  return running ? ModelOptions::Loads::running : ModelOptions::Loads::at_rest;
 }
 
 /// Reads and checks the study, the optimization and the fit of the source too.
@@ -338,25 +323,26 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
     const bool takes_bodies = analysis.command != Command::check && analysis.command != Command::contact;
     const bool is_built = analysis.is_built && !(takes_bodies && !left_out(c).empty());
     needs = {analysis.command, input::unmet(in, analysis.command), {}, is_built};
-    if (needs.unmet.empty()) needs.loads = thread_loads_of(c, needs.command);
+    if (const auto runs = needs.command.takes_running_loads; runs && needs.unmet.empty())
+      needs.loads = runs(c) ? ModelOptions::Loads::running : ModelOptions::Loads::at_rest;
   }
   Result& geometry = result.geometry;
   geometry.contacts = find_contacts(c.mechanism, c.materials);
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
-  // What odd values bring about is not told again.
+  // Effects of unusual values are not reported twice.
   if (in.warnings.empty()) warn_of_loads(source, in, geometry);
   if (std::optional<Warning> note = unknown_film_ratio(c)) geometry.warnings.push_back(std::move(*note));
   for (Warning& note : void_input_warnings(c)) geometry.warnings.push_back(std::move(note));
   return result;
 }
 
-/// The same with the verdict, for which it runs what the case is ready for. `measures` has what
-/// `solve` gives.
+/// Result of the check with the verdict, for which all commands with complete inputs are run. `measures` includes the
+/// results of `solve`.
 CheckResult checked_with_verdict(const input::Source& source, const input::CaseInput& in) {
   CheckResult result = checked(source, in);
   std::vector<Attempt> attempts;
   std::vector<std::unique_ptr<const Delivery>> deliveries;
-  const bool takes_long = in.values.model.bodies == ModelOptions::Bodies::influence;
+  const bool takes_long = in.values.model.bodies->meshes;
   const auto attempt = [&](Command command) {
     if (!input::unmet(in, command).empty()) return false;
     const std::string_view lacking = left_out(in.values);
@@ -365,7 +351,9 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
       return true;
     }
     if (takes_long) {
-      attempts.push_back({command, nullptr, "`influence` takes long: see `prs report`", Attempt::Lacking::time});
+      attempts.push_back({command, nullptr,
+                          fmt::format("`{}` takes long: see `prs report`", in.values.model.bodies->name),
+                          Attempt::Lacking::time});
       return true;
     }
     try {
@@ -380,101 +368,17 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
     }
     return attempts.back().delivery != nullptr;
   };
-  if (!attempt(Command::measures) || takes_long) attempt(Command::solve);
-  for (const Command command : {Command::slip, Command::life, Command::response}) attempt(command);
-  if (std::ranges::any_of(in.fields, [](const input::EchoEntry& f) { return f.path.starts_with("references["); }))
-    attempt(Command::compare);
+  const bool has_references =
+      std::ranges::any_of(in.fields, [](const input::EchoEntry& f) { return f.path.starts_with("references["); });
+  const bool has_loads = attempt(Command::measures) && !takes_long;
+  for (const AnyAnalysis& analysis : analyses()) {
+    const Command command = analysis.command;
+    const bool is_had = command == Command::measures || command == Command::contact ||
+                        (command == Command::solve && has_loads) || (command == Command::compare && !has_references);
+    if (analysis.is_judged && !is_had) attempt(command);
+  }
   result.verdict = verdict_by(in, attempts);
   return result;
-}
-
-void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
-  if (const auto* result = delivery.result<Result>()) {
-    facts.contacts = &result->contacts;
-    // Equal shares, where nothing is solved.
-    if (command == Command::slip)
-      facts.slip = result;
-    else if (command == Command::solve || (!facts.loads && !result->load_cases.empty()))
-      facts.loads = result;
-  } else if (const auto* measures = delivery.result<MeasuresResult>()) {
-    facts.measures = measures;
-    facts.loads = &measures->analysis;
-    facts.contacts = &measures->analysis.contacts;
-  } else if (const auto* response = delivery.result<ResponseResult>()) {
-    facts.response = response;
-  } else if (const auto* comparison = delivery.result<ModelComparison>()) {
-    facts.comparison = comparison;
-  } else if (const auto* life = delivery.result<LifeResult>()) {
-    facts.life = life;
-  } else if (const auto* check = delivery.result<CheckResult>()) {
-    facts.contacts = &check->geometry.contacts;
-  }
-}
-
-/// Temperatures that the losses of a load case lead to, in a duty cycle its mean [K]; absent where they are not known.
-std::optional<PerPart<double>> temperature_of(const VerdictFacts& facts, std::size_t load_case) {
-  if (!warms(facts.c.heat) || !facts.slip) return std::nullopt;
-  if (const auto& cycle = facts.slip->heat_cycle) return cycle->converged() ? std::optional(cycle->mean) : std::nullopt;
-  const auto& heat = facts.slip->load_cases[load_case].heat;
-  return heat && heat->converged() ? std::optional(heat->temperature) : std::nullopt;
-}
-
-/// The measures of load cases at the temperatures that their losses lead to. Nothing where these are not known.
-std::optional<MeasuresResult> warm_measures(const input::CaseInput& in, const VerdictFacts& facts) {
-  if (!warms(in.values.heat) || !facts.slip || !facts.measures) return std::nullopt;
-  MeasuresResult warm = *facts.measures;
-  for (std::size_t k = 0; k < warm.load_measures.size(); ++k) {
-    const std::optional<PerPart<double>> temperature = temperature_of(facts, k);
-    if (!temperature) return std::nullopt;
-    Conditions c = in.values;
-    c.deviations.temperature = temperature;
-    c.load_cases = {c.load_cases[k]};
-    MeasuresResult one = analyze_measures(c, facts.measures->analysis.contacts);
-    warm.load_measures[k] = std::move(one.load_measures.front());
-    warm.analysis.load_cases[k] = std::move(one.analysis.load_cases.front());
-  }
-  return warm;
-}
-
-/// Films at the mean temperatures of a duty: those at steady temperatures, which it never reaches, say nothing.
-std::optional<Result> films_over_duty(const input::CaseInput& in, const VerdictFacts& facts) {
-  if (!facts.slip || !facts.slip->heat_cycle || !in.values.lubricant || !in.values.roughness) return std::nullopt;
-  const std::optional<PerPart<double>> mean = temperature_of(facts, 0);
-  if (!mean) return std::nullopt;
-  Conditions c = in.values;
-  c.heat.reset();
-  c.deviations.temperature = mean;
-  return analyze_slip(c, facts.slip->contacts, kManyDesigns, warm_oils(in.values, oil_temperatures(of_parts(*mean))));
-}
-
-/// Load cases at rest under preload, and their static ratings.
-std::optional<Result> loads_under_preload(const input::CaseInput& in, VerdictFacts& facts) {
-  const Case& c = in.values;
-  if (!c.preload || !facts.loads || !input::unmet(in, Command::preload).empty()) return std::nullopt;
-  if (!analysis_of(Command::preload).is_built) {
-    facts.not_built.emplace_back(name(Command::preload));
-    return std::nullopt;
-  }
-  Result result;
-  result.contacts = facts.loads->contacts;
-  try {
-    for (std::size_t k = 0; k < c.load_cases.size(); ++k) {
-      const LoadCase& load = c.load_cases[k];
-      if (!has_both_flanks(c, load.share)) continue;
-      Conditions warm = c;
-      if (const auto temperature = temperature_of(facts, k)) warm.deviations.temperature = temperature;
-      result.load_cases.push_back(FlankSolver(warm, result.contacts).solve(load));
-      facts.preloaded_forces.push_back(
-          load.axial_force > 0.0
-              ? solved_static_forces(warm, result.contacts, *load.direction, *load.position, load.axial_force)
-              : StaticForces{});
-    }
-  } catch (const CaseError& error) {
-    facts.preloaded_forces.clear();
-    facts.lacking[Command::preload] = error.what();
-    return std::nullopt;
-  }
-  return result.load_cases.empty() ? std::nullopt : std::optional(std::move(result));
 }
 
 }  // namespace
@@ -518,40 +422,6 @@ Json derived_of(const Mechanism& mechanism) {
 
 Delivery run_check(const input::Source& source, const input::CaseInput& in) {
   return delivered(source, in, check_analysis(), checked);
-}
-
-CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> attempts) {
-  VerdictFacts facts{in.values, in.limits.value_or(Limits{})};
-  facts.motor = in.motor;
-  const Contacts contacts = find_contacts(in.values.mechanism, in.values.materials);
-  facts.contacts = &contacts;
-  for (const Command command : {Command::solve, Command::slip, Command::life, Command::measures})
-    if (const std::vector<std::string> paths = input::missing(in, command); !paths.empty())
-      facts.lacking[command] = fmt::format("add {}", fmt::join(paths, ", "));
-  if (const std::string_view what = left_out(in.values); !what.empty()) facts.not_built.emplace_back(what);
-  for (const Attempt& attempt : attempts) {
-    if (attempt.lacking == Attempt::Lacking::program && left_out(in.values).empty())
-      facts.not_built.emplace_back(name(attempt.command));
-    if (!attempt.delivery && attempt.lacking == Attempt::Lacking::input) {
-      const bool is_impossible = attempt.command == Command::solve || attempt.command == Command::measures;
-      facts.wrong[attempt.command] = attempt.failure;
-      facts.lacking[attempt.command] =
-          is_impossible ? fmt::format("`{}` found an error", name(attempt.command)) : attempt.failure;
-    } else if (!attempt.delivery) {
-      facts.lacking[attempt.command] = attempt.failure;
-    } else
-      put_facts(*attempt.delivery, attempt.command, facts);
-  }
-  const std::optional<MeasuresResult> warm = warm_measures(in, facts);
-  if (warm) {
-    facts.measures = &*warm;
-    facts.loads = &warm->analysis;
-  }
-  const std::optional<Result> films = films_over_duty(in, facts);
-  if (films) facts.films = &*films;
-  const std::optional<Result> preloaded = loads_under_preload(in, facts);
-  if (preloaded) facts.preloaded = &*preloaded;
-  return verdict_of(facts);
 }
 
 }  // namespace prs

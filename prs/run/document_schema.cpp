@@ -137,7 +137,7 @@ struct Parts {
   /// A record without a name occurs in one place only.
   Json record_schema(const RecordInfo& record) {
     if (definitions.contains(record.name)) return link(record.name);
-    if (!record.name.empty()) definitions[record.name] = nullptr;  // It may contain itself.
+    if (!record.name.empty()) definitions[record.name] = nullptr;  // The record may contain itself.
     Parts within;
     within.definitions.swap(definitions);
     within.put(record);

@@ -19,7 +19,8 @@ Json us_units_json();
 std::string responses_table(const std::vector<std::string>& paths);
 Json responses_json(const std::vector<std::string>& paths);
 
-/// Every path that a study may record, from the table of quantities; of a series thread by thread `.max` only.
+/// Every path that a study may record, from the table of quantities; of a series thread by thread
+/// `.max` only.
 std::vector<std::string> known_responses();
 
 /// Responses of the first load case and the document of a case: for the command of its study, or, without one, for

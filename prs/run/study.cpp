@@ -13,7 +13,7 @@
 namespace prs {
 namespace {
 
-/// After that time what is computed goes into the journal, as soon as the design at hand is done.
+/// Time after which results go into the journal, as soon as the current design is done.
 constexpr std::chrono::seconds kLongestBlock{1};
 
 /// Reports a response that the base case does not have where it stands in the file.
@@ -58,7 +58,7 @@ Warning void_warning(const std::string& path, const std::vector<std::string>& st
           std::string(kDeleteOverrides)};
 }
 
-/// What changes with a factor is void too.
+/// Void input of a factor or one of its companions.
 const VoidInput* void_factor(const std::vector<VoidInput>& inputs, const Factor& factor) {
   const auto is_void = [&](const Factor& companion) { return find_void(inputs, companion.path); };
   return std::ranges::all_of(factor.companions, is_void) ? find_void(inputs, factor.path) : nullptr;
@@ -118,7 +118,7 @@ CaseDerivatives run_derivatives(const input::StudyInput& in) {
 std::vector<Warning> void_factor_warnings(const input::StudyInput& in, const std::vector<std::string>& responses) {
   std::vector<Warning> warnings;
   if (in.study.command == Command::contact || std::ranges::all_of(responses, is_of_geometry)) return warnings;
-  // Which inputs are void depends on the model of the bodies.
+  // The model of the bodies determines which inputs are void.
   const auto changes_model = [](const DrawnInput& drawn) { return drawn.input->path.starts_with("model"); };
   if (std::ranges::any_of(drawn_inputs(in.study), changes_model)) return warnings;
   const std::vector<VoidInput> inputs = void_inputs(input::read_design(in, {}));
@@ -133,10 +133,10 @@ std::vector<Warning> void_factor_warnings(const input::StudyInput& in, const std
 
 namespace {
 
-/// One warning for each assumed value of the file, which does not follow the factors, that refuses designs.
+/// Warnings for assumed values of the file that do not follow the factors and refuse designs, one each.
 std::vector<Warning> assumed_value_warnings(const input::StudyInput& in, const StudyResult& result) {
   std::map<std::string, std::size_t> refusals;
-  constexpr std::string_view kPlaced = ": error: ";  // Behind file, line and column, where they are known.
+  constexpr std::string_view kPlaced = ": error: ";  // Text after file, line and column, if they are known.
   for (const StudyRow& row : result.rows) {
     if (row.status.name != "refused") continue;
     const std::string& reason = row.status.reason;

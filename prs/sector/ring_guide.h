@@ -11,7 +11,8 @@
 
 namespace prs {
 
-/// A guide ring with a clearance at one end node of a roller: the force k <|v| - c> against the radial displacement v.
+/// A guide ring with a clearance at one end node of a roller: the force k <|v| - c> against the
+/// radial displacement v.
 struct RingGuide {
   double stiffness = 0.0;  ///< k [N/m]
   double clearance = 0.0;  ///< c [m]

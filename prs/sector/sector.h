@@ -59,6 +59,12 @@ struct LoadDistribution {
   std::vector<GuideLoads> guides;  ///< Guides of each roller solved, if they have a clearance.
 };
 
+/// Solver of the load distribution of one-dimensional bodies. Both agree within 1e-10.
+enum class Solver {
+  sparse,  ///< Newton's method on the sparse matrix of the sector.
+  chain,   ///< Station by station, several times as fast; `sparse` where it does not converge.
+};
+
 /// Adds the energy of a spring of this compliance [m/N] between the loaded section and a force [N], for the part of the
 /// displacement that the model's freedoms do not contain: -c F^2/2.
 void add_offset_energy(fe::NewtonSummary& summary, double compliance, double force);

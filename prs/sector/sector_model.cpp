@@ -9,11 +9,11 @@
 namespace prs {
 namespace {
 
-/// Bars are refined bodies without any effect.
-constexpr RefinedEffects kBars{false, false, false, false, false, false, false};
+/// What bodies without effects of their own have.
+constexpr RefinedEffects kNoEffects{false, false, false, false, false, false, false};
 
 const RefinedEffects& effects_of(const ModelOptions& options) {
-  return options.bodies == ModelOptions::Bodies::refined ? options.refined : kBars;
+  return options.bodies->effects ? options.refined : kNoEffects;
 }
 
 /// Inputs from which the numbers of a sector are made.
@@ -76,7 +76,7 @@ void set_roller(SectorModel& s, const Given& g, const ModelOptions& options) {
       break;
   }
   s.rigid_bending = options.roller == ModelOptions::Roller::rigid_bending ? 1.0 : 0.0;
-  if (options.bodies == ModelOptions::Bodies::refined &&
+  if (options.bodies->effects &&
       roller_contacts(options, g.mechanism.starts.roller) == ModelOptions::RollerContacts::half_pitch_apart)
     s.contact_half_distance = 0.25 * s.pitch;
 }
@@ -208,7 +208,7 @@ void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& struc
   set_roller(s, g, options);
   set_nut(s, g, direction, position);
   set_contacts(s, g, deviations, direction);
-  s.is_refined = options.bodies == ModelOptions::Bodies::refined;
+  s.is_refined = options.bodies->effects;
   if (s.is_refined) set_bodies(s, g);
 }
 

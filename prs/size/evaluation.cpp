@@ -397,9 +397,10 @@ class Evaluation {
                                         "needs a special calculation, none is public",
                                         standard ? "nut's length" : "length of the rollers' threads")}
                         .with(*stroke, kShortStroke * length, text_unit::millimetre, Warning::Worse::smaller));
-    if (c_.brake_needed && r_.friction->model == Friction::Model::jacod)
-      all.push_back(
-          {"friction", "film_at_rest", "at rest the film of `jacod` is gone, so that the screw may still hold"});
+    if (c_.brake_needed && !r_.friction->facts().holds_at_rest())
+      all.push_back({"friction", "film_at_rest",
+                     fmt::format("at rest the film of `{}` is gone, so that the screw may still hold",
+                                 r_.friction->facts().name)});
     warn_of_heat();
   }
 

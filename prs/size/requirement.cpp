@@ -274,7 +274,7 @@ Value description(Requirement& r) { return value_of(r, Block{}); }
 
 /// Sets the defaults that depend on other values of the file.
 void complete(Requirement& r) {
-  if (!r.friction) r.friction = Friction{Friction::Model::coulomb, at_both(kFlankFriction)};
+  if (!r.friction) r.friction = friction_by(contact::Coulomb{at_both(kFlankFriction)});
   if (!r.lubricant) {
     r.lubricant.emplace();
     const auto all = named_lubricants();

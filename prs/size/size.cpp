@@ -471,7 +471,7 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   sized.shaft_length = shaft_length(r, s);
   Case& c = sized.c;
   c = s.c;
-  c.model.bodies = ModelOptions::Bodies::refined;
+  c.model.bodies = &kRefined;
   if (r.loads == ModelOptions::Loads::at_rest) c.model.loads = r.loads;
   Life& life = c.life.emplace();
   life.position = s.position;

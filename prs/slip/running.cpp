@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_warnings.h"
 
 namespace prs {
 namespace {
@@ -45,15 +46,14 @@ class Anderson {
   Eigen::VectorXd last_residual_, last_g_;
 };
 
-/// What the bodies answer to a push.
+/// Response of the bodies to a push.
 struct Answer {
   fe::NewtonStatus status = fe::NewtonStatus::iteration_limit;
-  PerInterface<std::vector<double>> normal_load;   ///< As in `InterfaceLoads` [N].
+  PerInterface<std::vector<double>> normal_load;   ///< Loads as in `InterfaceLoads` [N].
   std::vector<std::array<double, 2>> guide_force;  ///< See `RunningLoads`.
 };
 
-/// Places of the rollers among all threads; under preload rows are the flank that the load names
-/// and the other one.
+/// Indices of the rollers among all threads; under preload rows are the flank that the load names and the other one.
 struct Rollers {
   std::vector<std::size_t> present{0};
   std::size_t threads = 0;
@@ -62,11 +62,20 @@ struct Rollers {
   bool of_flanks() const { return rows != Rows::rollers; }
 };
 
-/// What slips alike: rollers of one nut, whose threads stand from `first` on among all.
+/// Rollers of one nut, which slip alike; their threads start at `first` among all.
 struct Slipping {
   SlipModel model;
   std::size_t first = 0;
 };
+
+/// A component of friction and its axis.
+struct Component {
+  std::vector<double> FrictionForces::*force;
+  double contact::Vector3<double>::*axis;
+};
+constexpr Component kComponents[] = {{&FrictionForces::radial, &contact::Vector3<double>::x},
+                                     {&FrictionForces::tangential, &contact::Vector3<double>::y},
+                                     {&FrictionForces::axial, &contact::Vector3<double>::z}};
 
 double largest(const std::vector<double>& values) { return std::ranges::max(values); }
 
@@ -92,8 +101,6 @@ class FixedPoint {
   FixedPoint(const Conditions& c, const Contacts& contacts, const SlipModels& models, Rollers rollers,
              LoadCaseResult& loaded)
       : c_(c), contacts_(contacts), models_(models), rollers_(std::move(rollers)), loaded_(loaded) {
-    running().at_rest = {{largest(threads().screw.normal_load), largest(threads().nut.normal_load)},
-                         loaded.axial_displacement.value_or(0.0)};
     for (const Interface i : kInterfaces) {
       InterfaceLoads& loads = threads()[i];
       loads.friction.emplace().threads_per_roller = loads.threads_per_roller;
@@ -106,14 +113,14 @@ class FixedPoint {
   }
 
   /// From the state at rest, which `loaded` has; its loads become those of the running screw.
-  /// One equilibrium for each nut. `turned`, where it is given: the answer to friction in these
-  /// proportions to the normal loads; none where it must be followed step by step.
+  /// One equilibrium for each nut. `near`: the last slip ratio that was found. `turned`, where it is given: the answer
+  /// to friction in these proportions to the normal loads; none where it must be followed step by step.
   std::vector<SlipEquilibrium> solve(Answer answer, const Bodies& bodies, const Turned& turned,
-                                     const std::optional<double>& near) {
+                                     std::optional<double>& near) {
     RunningLoads& r = running();
     std::vector<SlipEquilibrium> slip;
     std::vector<std::optional<double>> slip_ratio(2, near);
-    bool anew = true;  // Looks for the slip ratio, in place of a step by the last slope.
+    bool anew = true;  // Whether to search the slip ratio again, in place of a step by the last slope.
     push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
       const std::vector<Slipping> nuts = slipping_on(answer);
@@ -152,6 +159,7 @@ class FixedPoint {
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
       r.guide_force = answer.guide_force;
       r.status = RunningStatus::converged;
+      near = slip.front().balance.motion.slip_ratio;
       for (const Slipping& nut : nuts) set_axial_loads(nut);
       for (const Interface i : kInterfaces)
         threads()[i].running_over_static = over_static(threads()[i], r.at_rest.largest_normal_load[i]);
@@ -167,9 +175,9 @@ class FixedPoint {
   RunningLoads& running() { return *loaded_.running; }
   PerInterface<InterfaceLoads>& threads() { return *loaded_.threads; }
 
-  /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
-  /// that of the round. False where there are none.
-  /// `slow`: the last rounds changed them hardly less than those before.
+  /// Follows loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is that of the
+  /// round. Returns false if there are none. `slow`: whether the last rounds changed the loads hardly less than earlier
+  /// ones.
   bool follow(const Bodies& bodies, const Turned& turned, const std::vector<double>& centrifugal, bool slow,
               Answer& answer) {
     RunningLoads& r = running();
@@ -180,17 +188,15 @@ class FixedPoint {
       for (const Interface i : kInterfaces)
         for (std::size_t k = 0; k < normal_load[i].size(); ++k) {
           const double times = start[i][k] > 0.0 ? normal_load[i][k] / start[i][k] : 0.0;
-          FrictionForces& friction = *threads()[i].friction;
-          friction.axial[k] = times * given[i].axial[k];
-          friction.radial[k] = times * given[i].radial[k];
-          friction.tangential[k] = times * given[i].tangential[k];
+          for (const auto& [force, _] : kComponents)
+            ((*threads()[i].friction).*force)[k] = times * (given[i].*force)[k];
         }
     };
     if (turned) {
       PerInterface<std::vector<double>> unit = start;
       for (const Interface i : kInterfaces) std::ranges::fill(unit[i], 1.0);
       set_in_proportion(unit);
-      Eigen::VectorXd tau = vector_of(pushes(), centrifugal);
+      Eigen::VectorXd tau = forces(centrifugal);
       if (slow) tau = rounds_.next(last_tau_, tau);
       last_tau_ = tau;
       take(tau);
@@ -198,13 +204,13 @@ class FixedPoint {
         answer = std::move(*found);
         r.change = largest_change(answer.normal_load, start);
         set_in_proportion(answer.normal_load);
-        take(vector_of(pushes(), centrifugal));
+        take(forces(centrifugal));
         return true;
       }
       set_in_proportion(start);
     }
     Anderson anderson;
-    Eigen::VectorXd x = vector_of(pushes(), centrifugal);
+    Eigen::VectorXd x = forces(centrifugal);
     for (int step = 0; step < kMostRounds; ++step) {
       take(x);
       answer = bodies(push_);
@@ -217,13 +223,13 @@ class FixedPoint {
       before = answer.normal_load;
       set_in_proportion(before);
       if (change <= std::max(kShare * r.change, 0.1 * kTolerance)) return true;
-      x = anderson.next(x, vector_of(pushes(), centrifugal));
+      x = anderson.next(x, forces(centrifugal));
     }
     r.status = RunningStatus::iteration_limit;
     return false;
   }
 
-  /// Over the largest load.
+  /// Largest change, over the largest load.
   static double largest_change(const PerInterface<std::vector<double>>& now,
                                const PerInterface<std::vector<double>>& before) {
     double change = 0.0, load = 0.0;
@@ -236,8 +242,8 @@ class FixedPoint {
     return change > 0.0 ? 1.0 : 0.0;
   }
 
-  /// The models of slip on these loads. Where the file states the angle of a normal, F_i is that of
-  /// the sector, |s cos(psi) N_i +- T_x,i|.
+  /// Models of slip on these loads. If the file states the angle of a normal, F_i is that of the sector, |s cos(psi)
+  /// N_i +- T_x,i|.
   std::vector<Slipping> slipping_on(const Answer& answer) {
     running().guide_force = answer.guide_force;
     const double named = sense(*loaded_.load_case.direction);
@@ -262,29 +268,28 @@ class FixedPoint {
     return nuts;
   }
 
-  /// T_i = N_i (n - m_i) of each thread.
+  /// Sets T_i = N_i (n - m_i) of each thread.
   void set_friction(const Slipping& nut, const SlipEquilibrium& found) {
     for (const Interface i : kInterfaces) {
       const LoadedThreads& t = nut.model.threads[i];
       FrictionForces& friction = *threads()[i].friction;
-      for (auto* values : {&friction.axial, &friction.radial, &friction.tangential})
-        values->resize(threads()[i].normal_load.size());
-      for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
-        const std::size_t at = nut.first + k;
-        friction.axial[at] = friction.radial[at] = friction.tangential[at] = 0.0;
-        if (!t.patch_of_thread[k]) continue;
-        const contact::PatchFriction& f = found.balance.patches[i].friction[*t.patch_of_thread[k]];
-        const double major = threads()[i].normal_load[at] * f.traction_major;
-        const double minor = threads()[i].normal_load[at] * f.traction_minor;
-        const ContactFrameOf<double>& frame = nut.model.frame(i, t.contacts[*t.patch_of_thread[k]]);
-        friction.radial[at] = major * frame.major_axis.x + minor * frame.minor_axis.x;
-        friction.tangential[at] = major * frame.major_axis.y + minor * frame.minor_axis.y;
-        friction.axial[at] = major * frame.major_axis.z + minor * frame.minor_axis.z;
+      for (const auto& [force, axis] : kComponents) {
+        std::vector<double>& values = friction.*force;
+        values.resize(threads()[i].normal_load.size());
+        for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
+          double& value = values[nut.first + k] = 0.0;
+          const std::optional<std::size_t> patch = t.patch_of_thread[k];
+          if (!patch) continue;
+          const contact::PatchFriction& f = found.balance.patches[i].friction[*patch];
+          const ContactFrameOf<double>& frame = nut.model.frame(i, t.contacts[*patch]);
+          value = threads()[i].normal_load[nut.first + k] *
+                  (f.traction_major * frame.major_axis.*axis + f.traction_minor * frame.minor_axis.*axis);
+        }
       }
     }
   }
 
-  /// F_i = N_i |m_z,i| of converged loads, friction included.
+  /// Sets F_i = N_i |m_z,i| of converged loads, friction included.
   void set_axial_loads(const Slipping& nut) {
     const double unit = std::abs(loaded_.load_case.axial_force) / contacts_.mechanism.rollers;
     for (const Interface i : kInterfaces) {
@@ -303,33 +308,19 @@ class FixedPoint {
     }
   }
 
-  std::vector<RollerPush> pushes() const {
-    std::vector<RollerPush> all;
-    for (const std::size_t roller : rollers_.present) {
-      RollerPush& push = all.emplace_back();
-      const auto part = [&](const std::vector<double>& values) {
-        const auto first = values.begin() + static_cast<std::ptrdiff_t>(roller * rollers_.threads);
-        return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(rollers_.threads));
-      };
+  /// Vector of all unknown forces, the centrifugal ones of the rows last [N].
+  Eigen::VectorXd forces(const std::vector<double>& centrifugal) const {
+    std::vector<double> all;
+    for (const std::size_t roller : rollers_.present)
       for (const Interface i : kInterfaces) {
         const FrictionForces& friction = *(*loaded_.threads)[i].friction;
-        push.axial[i] = part(friction.axial);
-        push.radial[i] = part(friction.radial);
-      }
-    }
-    return all;
-  }
-
-  /// All unknown forces, the centrifugal ones of the rows last [N].
-  Eigen::VectorXd vector_of(const std::vector<RollerPush>& pushes, const std::vector<double>& centrifugal) const {
-    std::vector<double> all;
-    for (const RollerPush& push : pushes)
-      for (const Interface i : kInterfaces) {
-        all.insert(all.end(), push.axial[i].begin(), push.axial[i].end());
-        all.insert(all.end(), push.radial[i].begin(), push.radial[i].end());
+        for (const auto* values : {&friction.axial, &friction.radial}) {
+          const auto first = values->begin() + static_cast<std::ptrdiff_t>(roller * rollers_.threads);
+          all.insert(all.end(), first, first + static_cast<std::ptrdiff_t>(rollers_.threads));
+        }
       }
     all.insert(all.end(), centrifugal.begin(), centrifugal.end());
-    return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+    return Eigen::Map<Eigen::VectorXd>(all.data(), std::ssize(all));
   }
   void take(const Eigen::VectorXd& x) {
     Eigen::Index next = 0;
@@ -349,13 +340,13 @@ class FixedPoint {
   const SlipModels& models_;
   Rollers rollers_;
   LoadCaseResult& loaded_;
-  std::vector<RollerPush> push_;  ///< On each roller present.
+  std::vector<RollerPush> push_;  ///< Push on each present roller.
   Anderson rounds_;
   Eigen::VectorXd last_tau_;
   double thread_share_ = 0.0, head_share_ = 0.0;  ///< Shares of a roller's mass per length [1/m].
 };
 
-/// Why there are no loads of a running screw, where those at rest are known.
+/// Reason why there are no loads of a running screw, if those at rest are known.
 Warning why_not_running(const RunningLoads& r) {
   switch (r.status) {
     case RunningStatus::jammed:
@@ -372,7 +363,7 @@ Warning why_not_running(const RunningLoads& r) {
   }
 }
 
-/// Without loads.
+/// Result without loads.
 LoadCaseResult not_running(LoadCaseResult rest) {
   if (rest.threads)
     rest.warnings.push_back(why_not_running(*rest.running));
@@ -384,7 +375,7 @@ LoadCaseResult not_running(LoadCaseResult rest) {
   return rest;
 }
 
-/// Loads that stand on friction, with axial forces as slip has them.
+/// Result with running loads, with axial forces as in slip.
 LoadCaseResult with_friction(LoadCaseResult loaded, LoadCaseResult slipped) {
   for (const Interface i : kInterfaces) {
     InterfaceLoads &to = (*loaded.threads)[i], &from = (*slipped.threads)[i];
@@ -398,10 +389,18 @@ LoadCaseResult with_friction(LoadCaseResult loaded, LoadCaseResult slipped) {
   return loaded;
 }
 
+/// Takes the loads at rest for those of a running screw that are to be found.
+void start(LoadCaseResult& rest) {
+  rest.loads = ModelOptions::Loads::running;
+  RunningLoads& running = rest.running.emplace();
+  if (rest.threads)
+    running.at_rest = {{largest(rest.threads->screw.normal_load), largest(rest.threads->nut.normal_load)},
+                       rest.axial_displacement.value_or(0.0)};
+}
+
 /// A loose screw: it turns without friction, and its loads are those at rest.
-LoadCaseResult running_without_contact(LoadCaseResult rest, const RunningLoads::AtRest& at_rest) {
+LoadCaseResult running_without_contact(LoadCaseResult rest) {
   rest.running->status = RunningStatus::converged;
-  rest.running->at_rest = at_rest;
   rest.running->guide_force = rest.other_flank->guide_force;
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*rest.threads)[i];
@@ -411,18 +410,13 @@ LoadCaseResult running_without_contact(LoadCaseResult rest, const RunningLoads::
   return rest;
 }
 
-void start(LoadCaseResult& rest) {
-  rest.loads = ModelOptions::Loads::running;
-  rest.running.emplace();
-}
-
 }  // namespace
 
 LoadCaseResult RunningSolver::solve(const LoadCase& load_case, Detail detail, std::optional<SlipEquilibrium>& slip) {
   second_nut_.reset();
-  return has_both_flanks(conditions_, load_case.share)                  ? of_flanks(load_case, slip)
-         : conditions_.model.mechanism == ModelOptions::Mechanism::full ? of_all_rollers(load_case, detail, slip)
-                                                                        : of_sector(load_case, slip);
+  return has_both_flanks(conditions_, load_case.share) ? of_flanks(load_case, slip)
+         : conditions_.model.all_rollers()             ? of_all_rollers(load_case, detail, slip)
+                                                       : of_sector(load_case, slip);
 }
 
 LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip) {
@@ -431,13 +425,12 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
   LoadCaseResult rest = flanks_->solve(load_case);
   start(rest);
   if (!rest.threads) return not_running(std::move(rest));
-  const RunningLoads::AtRest at_rest{{largest(rest.threads->screw.normal_load), largest(rest.threads->nut.normal_load)},
-                                     rest.axial_displacement.value_or(0.0)};
+  const PerInterface<double> at_rest = rest.running->at_rest.largest_normal_load;
   const std::size_t threads = rest.threads->screw.normal_load.size();
   const auto carries = [&](Interface i) {
-    return at_rest.largest_normal_load[i] > 0.0 || largest(rest.other_flank->threads[i].normal_load) > 0.0;
+    return at_rest[i] > 0.0 || largest(rest.other_flank->threads[i].normal_load) > 0.0;
   };
-  if (std::ranges::none_of(kInterfaces, carries)) return running_without_contact(std::move(rest), at_rest);
+  if (std::ranges::none_of(kInterfaces, carries)) return running_without_contact(std::move(rest));
   const bool two_nuts = rest.other_flank->of_second_roller;
   Answer answer{fe::NewtonStatus::converged, {}, rest.other_flank->guide_force};
   for (const Interface i : kInterfaces) {
@@ -473,14 +466,12 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
         return to;
       },
       {}, last_slip_ratio_);
-  rest.running->at_rest = at_rest;
   if (!rest.running->converged()) {
     rest.other_flank.reset();
     return not_running(std::move(rest));
   }
   slip = std::move(found.front());
   if (two_nuts) second_nut_ = std::move(found.back());
-  last_slip_ratio_ = slip->balance.motion.slip_ratio;
 
   LoadCaseResult loaded = both_flanks_result(load_case, contacts_, laws_, std::move(last));
   loaded.other_flank->of_second_roller = two_nuts;
@@ -496,89 +487,58 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
     other.axial_load = cut(loads.axial_load);
     cut(loads.load_rate);
     if (load_case.axial_force == 0.0) std::ranges::fill(loads.load_rate, kNoShare);
-    for (auto* values : {&loads.friction->axial, &loads.friction->radial, &loads.friction->tangential}) cut(*values);
-    loads.running_over_static = over_static(loads, at_rest.largest_normal_load[i]);
+    for (const auto& [force, _] : kComponents) cut((*loads.friction).*force);
+    loads.running_over_static = over_static(loads, at_rest[i]);
   }
   return with_friction(std::move(loaded), std::move(rest));
 }
 
 RunningSolver::SectorAt& RunningSolver::sector_at(Direction d, double position) {
   std::unique_ptr<SectorAt>& kept = sectors_[{d, position}];
-  if (!kept)
-    kept = std::make_unique<SectorAt>(
-        build_sector(sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
-                                  conditions_.model, laws_, d, position, conditions_.deviations)));
-  if (conditions_.model.bodies == ModelOptions::Bodies::influence && !kept->meshed)
-    kept->meshed.emplace(influence_solver(conditions_, contacts_, laws_, d, position, shared_matrix_cache(), true));
+  if (!kept) kept = std::make_unique<SectorAt>(LoadedSector{{conditions_, contacts_, laws_}, d, position});
   return *kept;
 }
 
 LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip) {
   SectorAt& at = sector_at(*load_case.direction, *load_case.position);
-  SectorSolver& solver = at.solver;
-  const Sector& sector = solver.sector();
-  const double force = load_case.axial_force, pitch = axial_pitch(contacts_.mechanism);
-  LoadDistribution last = at.meshed ? at.meshed->solve(force) : solver.solve(force);
-  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, last);
+  RunningSector& bodies = *at.bodies;
+  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, bodies.at_rest(load_case.axial_force));
   start(rest);
   if (!rest.threads) return not_running(std::move(rest));
   const auto answer_to = [&](const RollerPush& push, fe::NewtonStatus status) {
-    Answer answer{status, {}, {}};
-    for (const Interface i : kInterfaces)
-      for (int k = 0; k < sector.contacts(); ++k)
-        answer.normal_load[i].push_back(at.meshed
-                                            ? last.normal_load[i][static_cast<std::size_t>(k)]
-                                            : solver.equations().response(solver.state(), sector.spring(i, k)).force);
+    Answer answer{status, bodies.normal_load(), {}};
     if (at.guides)
       answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
-    else if (sector.has_loose_guides())
-      answer.guide_force.push_back(
-          (at.meshed ? last.guides.front() : guide_loads(sector, solver.equations(), solver.state())).of_ends());
+    else if (at.sector.has_loose_guides())
+      answer.guide_force.push_back(bodies.guides().of_ends());
     return answer;
   };
 
-  const auto threads = static_cast<std::size_t>(sector.contacts());
-  const auto under = [&](const RollerPush& push, bool is_trial) {
-    return solver.go_on(force, push_loads(sector, push), is_trial);
-  };
+  const auto threads = static_cast<std::size_t>(at.sector.contacts());
   FixedPoint point(conditions_, contacts_, models_, {{0}, threads}, rest);
-  slip = point
-             .solve(
-                 answer_to(no_push(threads), fe::NewtonStatus::converged),
-                 [&](const std::vector<RollerPush>& push) {
-                   return answer_to(push.front(),
-                                    at.meshed ? fe::NewtonStatus::no_equilibrium : under(push.front(), true).status);
-                 },
-                 [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
-                   RollerPush push = per_normal_load.front();
-                   if (at.meshed) {
-                     LoadDistribution now = at.meshed->solve(force, push, sector.sense, pitch);
-                     if (!now.solve.converged()) return std::nullopt;
-                     last = std::move(now);
-                   } else if (!solver.follow(force, turned_loads(solver, force, push))) {
-                     return std::nullopt;
-                   }
-                   const Answer loads = answer_to(push, fe::NewtonStatus::converged);
-                   for (const Interface i : kInterfaces)
-                     for (std::size_t k = 0; k < threads; ++k) {
-                       push.axial[i][k] *= loads.normal_load[i][k];
-                       push.radial[i][k] *= loads.normal_load[i][k];
-                     }
-                   return answer_to(push, fe::NewtonStatus::converged);
-                 },
-                 last_slip_ratio_)
-             .front();
+  slip =
+      point
+          .solve(
+              answer_to(no_push(threads), fe::NewtonStatus::converged),
+              [&](const std::vector<RollerPush>& push) { return answer_to(push.front(), bodies.go_on(push.front())); },
+              [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
+                RollerPush push = per_normal_load.front();
+                if (!bodies.follow(push)) return std::nullopt;
+                const Answer loads = answer_to(push, fe::NewtonStatus::converged);
+                for (const Interface i : kInterfaces)
+                  for (std::size_t k = 0; k < threads; ++k) {
+                    push.axial[i][k] *= loads.normal_load[i][k];
+                    push.radial[i][k] *= loads.normal_load[i][k];
+                  }
+                return answer_to(push, fe::NewtonStatus::converged);
+              },
+              last_slip_ratio_)
+          .front();
   if (!rest.running->converged()) return not_running(std::move(rest));
-  last_slip_ratio_ = slip->balance.motion.slip_ratio;
-  if (!at.meshed) {
-    fe::NewtonSummary summary = under(point.push().front(), false);
-    last = solver.at(solver.state(), force);
-    last.solve = std::move(summary);
-  }
-  return with_friction(solved_result(load_case, contacts_, laws_, std::move(last)), std::move(rest));
+  return with_friction(solved_result(load_case, contacts_, laws_, bodies.loads(point.push().front())), std::move(rest));
 }
 
-/// The running loads of all rollers where the carrier stands, and what they are found by.
+/// Running loads of all rollers at one carrier angle, and the workspace of their search.
 struct RunningSolver::AllRunning {
   LoadCaseResult result;
   FullDistribution loads;
@@ -632,10 +592,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
                      last_slip_ratio_)
                  .front();
   all.push = point.push();
-  if (rest.running->converged())
-    last_slip_ratio_ = all.slip->balance.motion.slip_ratio;
-  else
-    rest = not_running(std::move(rest));
+  if (!rest.running->converged()) rest = not_running(std::move(rest));
   return all;
 }
 
@@ -699,31 +656,6 @@ Orbit RunningSolver::turned(const LoadCase& load_case, const SpatialLoad::Orbit&
   return full_orbit(load_case, conditions_, contacts_, laws_, solved, wanted);
 }
 
-std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static) {
-  constexpr double kMuch = 0.2;
-  const auto change = [&](Interface i) { return over_static[i].largest - 1.0; };
-  const Interface i =
-      std::abs(change(Interface::nut)) > std::abs(change(Interface::screw)) ? Interface::nut : Interface::screw;
-  if (std::abs(change(i)) <= kMuch) return std::nullopt;
-  constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
-  const Guidance& guidance = c.structure->roller.guidance;
-  const std::string_view kind = kGuidance[static_cast<std::size_t>(guidance.kind)];
-  const bool loose = guidance.clearance > 0.0;
-  const double all = over_static[i].all, taken = 1.0 - std::pow(all, -3.0);
-  return Warning{
-      "structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
-      fmt::format(
-          "friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} %{}, N = F/(cos psi - mu sin "
-          "psi), whatever guides the rollers; the rest because friction presses them against their guides, {} "
-          "{}; other guides give another rest",
-          name(i), change(i) * per_si::percent, (all - 1.0) * per_si::percent,
-          taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * per_si::percent) : "", kind,
-          loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
-                : "taken without play")}
-      .with(std::abs(change(i)), kMuch, text_unit::percent)
-      .as_assumption();
-}
-
 namespace {
 
 bool has_slip_ratio_to_find(const LoadCase& load) {
@@ -743,12 +675,7 @@ std::optional<Conditions> with_slip_ratios(const Conditions& c, const Contacts& 
       found = ideal_slip_ratio(kinematic_geometry(contacts, axial_force_on_nut(load)));
       continue;
     }
-    Conditions alone = c;
-    alone.load_cases = {load};
-    alone.load_cases.front().travel.reset();
-    alone.load_cases.front().modes.reset();
-    const Result result = analyze_slip(alone, contacts, {.detail = Detail::numbers});
-    const std::optional<SlipResult>& slip = result.load_cases.front().slip;
+    const std::optional<SlipResult> slip = slip_alone(c, contacts, load);
     if (!slip || !slip->converged())
       throw CaseError(path_in(load, "travel.slip_ratio"),
                       "got solved, but `slip` finds none for this load case; expected a number from "
@@ -765,7 +692,7 @@ Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions opt
   require_rolling(c, contacts);
   Result result = analyze(c, std::move(contacts), options, runs);
   const SlipModels models(c, result.contacts);
-  Conditions alone = c;  // `solve` has one flank, whatever closes the other one.
+  Conditions alone = c;  // `solve` has one flank, even if the other one is closed too.
   alone.preload.reset();
   RunningSolver solver(alone, result.contacts, models);
   for (LoadCaseResult& loaded : result.load_cases) {

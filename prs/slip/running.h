@@ -1,8 +1,9 @@
 #pragma once
 
+#include "prs/bodies/body_solver.h"
 #include "prs/loads/full_result.h"
 #include "prs/preload/preloaded_mechanism.h"
-#include "prs/sector/influence/influence_solver.h"
+#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_model.h"
 
 namespace prs {
@@ -31,9 +32,8 @@ class RunningSolver {
   RunningSolver(const Conditions& c, const Contacts& contacts, const SlipModels& models)
       : conditions_(c), contacts_(contacts), laws_(contact_laws(c, contacts)), models_(models) {}
 
-  /// A load case with solved shares and all that belongs to no slip; `running` says how the search
-  /// ended. Where it converged: its slip.
-  /// Under preload with both flanks, of two nuts the slip of the first.
+  /// A load case with solved shares and all results other than slip; `running` has the outcome of the search, `slip`
+  /// the slip if it converged. Under preload with both flanks, for two nuts the slip of the first.
   LoadCaseResult solve(const LoadCase& load_case, Detail detail, std::optional<SlipEquilibrium>& slip);
   /// Slip of the second nut of a double nut, of the last load case.
   const std::optional<SlipEquilibrium>& second_nut() const { return second_nut_; }
@@ -44,12 +44,13 @@ class RunningSolver {
 
  private:
   struct SectorAt {
-    explicit SectorAt(Sector sector) : solver(std::move(sector)) {
-      if (solver.sector().bends() && !solver.sector().has_loose_guides()) guides.emplace(solver.sector());
+    explicit SectorAt(const LoadedSector& of)
+        : sector(build_sector(of.model())), bodies(body_solver(of.conditions).running(of)) {
+      if (sector.bends() && !sector.has_loose_guides()) guides.emplace(sector);
     }
-    SectorSolver solver;
-    std::optional<RollerGuides> guides;     ///< None of rollers that stay straight or whose guides have a clearance.
-    std::optional<InfluenceSolver> meshed;  ///< Solver of meshed bodies, in place of `solver`.
+    Sector sector;
+    std::unique_ptr<RunningSector> bodies;
+    std::optional<RollerGuides> guides;  ///< None for rollers that stay straight or whose guides have a clearance.
   };
 
   SectorAt& sector_at(Direction d, double position);
@@ -58,7 +59,7 @@ class RunningSolver {
   LoadCaseResult of_all_rollers(const LoadCase& load_case, Detail detail, std::optional<SlipEquilibrium>& slip);
   struct AllRunning;
   AllRunning all_rollers_at(const LoadCase& load_case, FullSolver& solver);
-  /// The same screw loaded symmetrically runs as well.
+  /// Adds the loads of the same screw running under symmetric load.
   void set_symmetric(FullLoads& full, LoadCaseResult& result) const;
 
   const Conditions& conditions_;
@@ -71,21 +72,18 @@ class RunningSolver {
   std::optional<double> last_slip_ratio_;
 };
 
-/// Normal loads of a running screw over those at rest: of the largest, and of all threads, which grow by
-/// N = F/(cos psi - mu sin psi) whatever the guides do.
-struct OverStatic {
-  double largest = 1.0, all = 1.0;
-};
+inline bool is_held(const Conditions& c, const LoadCase& load) { return screw_speed(c, load) == 0.0; }
 
-/// A warning where friction moves the largest load of screw or nut by much: by what, and on which guidance
-/// that stands.
-std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static);
+/// Whether slip takes the loads of the running screw.
+inline bool runs(const Conditions& c, const LoadCase& load) {
+  return slip_takes_running_loads(c.model, load.share) && !is_held(c, load);
+}
 
-/// The conditions with the slip ratios of travels that are `ideal` or `solved` as numbers; nothing
-/// where there is none. Throws CaseError where slip finds none.
+/// The conditions with the slip ratios of travels that are `ideal` or `solved` as numbers; none if there are no such
+/// travels. Throws CaseError if slip finds none.
 std::optional<Conditions> with_slip_ratios(const Conditions& c, const Contacts& contacts);
 
-/// What `analyze` delivers, on the loads that `model.loads` asks of `solve`.
+/// Result of `analyze`, with the loads that `model.loads` selects for `solve`.
 Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
 inline Result analyze_loads(const Case& c, AnalysisOptions options = {}) {
   return analyze_loads(c, checked_contacts(c, options.detail), options);

@@ -17,7 +17,7 @@ struct RollerHeadOf {
   contact::JournalBearingStateOf<Number> state{};
 };
 
-/// How the other flank of an interface slides, where there is one.
+/// Sliding of the other flank of an interface, if there is one.
 template <class Number>
 contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i, const Number& slip_ratio) {
   if (!model.other_flank) return {};
@@ -92,24 +92,23 @@ contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model, const 
   return mean;
 }
 
-template <class Number>
-auto heads_in(const SlipModel& model) {
-  return [&model](const RollerModelOf<double>&, const RollerForcesOf<Number>& f, const Number& speed) {
-    return both_heads(model, f, speed);
-  };
+/// Balance at one slip ratio; `take(i, k, friction, forces)` of each patch.
+template <class Number, class Take>
+RollerBalanceOf<Number> balance_of(const SlipModel& model, const Number& slip_ratio, bool& possible, Take take) {
+  return roller_balance(
+      model, slip_ratio,
+      [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
+        return interface_forces(
+            model, i, sliding, other_sliding(model, i, slip_ratio), possible,
+            [&](std::size_t k, const auto& friction, const auto& forces) { take(i, k, friction, forces); });
+      },
+      [&](const auto&, const RollerForcesOf<Number>& f, const Number& speed) { return both_heads(model, f, speed); });
 }
 
-/// R_z with its slope along the slip ratio; none where a contact jams.
+/// R_z with its slope along the slip ratio; none if a contact jams.
 std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio) {
-  using Number = Dual<double>;
   bool possible = true;
-  const RollerBalanceOf<Number> found = roller_balance(
-      model, Number(slip_ratio, 1.0),
-      [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
-        return interface_forces(model, i, sliding, other_sliding(model, i, Number(slip_ratio, 1.0)), possible,
-                                [](std::size_t, const auto&, const auto&) {});
-      },
-      heads_in<Number>(model));
+  const auto found = balance_of(model, Dual<double>(slip_ratio, 1.0), possible, [](auto&&...) {});
   if (!possible) return std::nullopt;
   return found.moments.residue() / residue_unit(model);
 }
@@ -118,24 +117,21 @@ std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double sl
 
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
   bool possible = true;
-  b.RollerBalance::operator=(roller_balance(
-      model, slip_ratio,
-      [&](Interface i, const contact::PatchMotion& sliding) {
+  for (const Interface i : kInterfaces) {
+    PatchBalance& at = b.patches[i];
+    at.friction.resize(model.threads[i].patches.size());
+    at.normal_load.resize(model.threads[i].patches.size());
+    at.power = 0.0;
+    b.other_sliding[i] = other_sliding(model, i, slip_ratio);
+  }
+  b.RollerBalance::operator=(balance_of(
+      model, slip_ratio, possible,
+      [&](Interface i, std::size_t k, const contact::PatchFriction& friction, const PatchForces<double>& forces) {
         PatchBalance& at = b.patches[i];
-        const LoadedThreads& threads = model.threads[i];
-        at.friction.resize(threads.patches.size());
-        at.normal_load.resize(threads.patches.size());
-        at.power = 0.0;
-        b.other_sliding[i] = other_sliding(model, i, slip_ratio);
-        return interface_forces(
-            model, i, sliding, b.other_sliding[i], possible,
-            [&](std::size_t k, const contact::PatchFriction& friction, const PatchForces<double>& forces) {
-              at.friction[k] = friction;
-              at.normal_load[k] = forces.normal_load;
-              at.power += threads.alike * forces.normal_load * friction.power_per_load;
-            });
-      },
-      heads_in<double>(model)));
+        at.friction[k] = friction;
+        at.normal_load[k] = forces.normal_load;
+        at.power += model.threads[i].alike * forces.normal_load * friction.power_per_load;
+      }));
   return possible;
 }
 
@@ -198,7 +194,7 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
-  // What acts on a roller, taken about the screw's axis, acts back on screw and nut.
+  // Moment about the screw's axis of the forces on a roller, which act back on screw and nut.
   const auto about_axis = [&](Interface i) {
     return moment_z(m.geometry.points[i], 0.0, b.interfaces[i].force) + b.interfaces[i].couple +
            b.interfaces[i].spin_torque;
@@ -219,10 +215,15 @@ PowerBySource lost_power(const SlipModel& m, const SlipBalance& b) {
           m.screw_torque * std::abs(b.motion.screw_to_carrier), m.nut_torque * std::abs(b.motion.nut_to_carrier)};
 }
 
-PowerFlow power_flow(const SlipModel& m, const SlipBalance& b, const DriveTorques& torques) {
+PowerFlow power_flow(const SlipModel& m, const SlipBalance& b) {
+  const DriveTorques torques = drive_torques(m, b);
   const double advance = b.motion.nut_advance - b.motion.screw_advance;
   return {(m.geometry.is_standard() ? torques.screw : torques.nut) * turning_speed(m.geometry.type, m.speed),
           m.axial_force * advance};
+}
+
+DrivenBy driven_by(double axial_force, double speed, double lead) {
+  return axial_force * speed * lead < 0.0 ? DrivenBy::load : DrivenBy::screw;
 }
 
 std::optional<double> PowerFlow::efficiency() const {

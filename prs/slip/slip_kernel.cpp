@@ -12,35 +12,21 @@ template <class Number, class Real>
 contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared, const SharedContactNumbers<Real>& c,
                                                    const double* viscosity_ratio,
                                                    const contact::PatchMotionOf<Number>& motion) {
-  using simd::any, simd::value;
-  constexpr std::size_t kLanes = simd::kLanes<Real>;
   const contact::SlidingFieldOf<Number> field = contact::sliding_field(motion, c.semi_major, c.semi_minor);
-  const contact::PatchLawOf<Number> law = contact::law_at(c.friction, c.peak_pressure, motion);
+  const contact::RollingContactOf<Number> contact = contact::rolling_contact(c.friction, c.peak_pressure, motion);
   contact::PatchSumsOf<Number> sums;
-  const auto add_points = [&](auto friction_at) __attribute__((always_inline)) {
+  c.friction.visit([&]<class Law>(const Law& law, const simd::Lanes<Real>& which) __attribute__((always_inline)) {
+    const auto friction = law.in(contact);
     contact::PatchSumsOf<Number> found;
     for (std::size_t k = 0; k < shared.points.size; ++k) {
-      const contact::PatchPoint<Real> at{Real(shared.points.along_major[k]), Real(shared.points.along_minor[k]),
-                                         Real(shared.points.dome[k]), Real(shared.points.inverse_dome[k])};
-      contact::add_point(
-          found, field,
-          at, [&](const Number& speed) __attribute__((always_inline)) { return friction_at(k, at.dome, speed); });
+      contact::PatchPoint<Real> at{Real(shared.points.along_major[k]), Real(shared.points.along_minor[k]),
+                                   Real(shared.points.dome[k]), Real(shared.points.inverse_dome[k])};
+      if constexpr (Law::facts.has_film())
+        at.viscosity_ratio = Real::load_unaligned(viscosity_ratio + shared.dome_of_point[k] * simd::kLanes<Real>);
+      contact::add_point(found, field, at, friction);
     }
-    sums = found;
-  };
-  const auto film = [&](std::size_t k, const Number& speed) __attribute__((always_inline)) {
-    const Real ratio = Real::load_unaligned(viscosity_ratio + shared.dome_of_point[k] * kLanes);
-    return law.scale * simd::asinh_of_positive(Number(law.factor * ratio * speed));
-  };
-  if (!any(c.friction.has_film()))
-    add_points([&](std::size_t, const Real& dome, const Number&)
-                   __attribute__((always_inline)) { return law.coefficient * dome; });
-  else if (!any(value(law.coefficient) > Real(0.0)))
-    add_points([&](std::size_t k, const Real&, const Number& speed)
-                   __attribute__((always_inline)) { return film(k, speed); });
-  else
-    add_points([&](std::size_t k, const Real& dome, const Number& speed)
-                   __attribute__((always_inline)) { return law.coefficient * dome + film(k, speed); });
+    simd::take_where<Real>(which, found, sums);
+  });
   return contact::patch_friction(sums, shared.cell_load, static_cast<double>(shared.points.size), c.semi_major,
                                  c.semi_minor);
 }
@@ -63,38 +49,25 @@ class Screws {
   }
 
   void search() {
-    const auto waits = [](bool with_slope) {
-      return
-          [with_slope](const SlipTask& task) { return !task.search.done() && task.search.wants_slope() == with_slope; };
-    };
-    for (;;) {
-      const bool slopes = any_task(waits(true)), values = any_task(waits(false));
-      if (!slopes && !values) return;
-      if (slopes) {
-        const auto now = mark(waits(true));
-        take(now, balance(simd::Dual<Real>(slip_ratios(), Real(1.0))));
-      }
-      if (values) {
-        const auto now = mark(waits(false));
-        take(now, balance(slip_ratios()));
-      }
+    for (bool busy = true; busy;) {
+      const Marked slopes = waiting(true);
+      if (slopes.any) take(slopes, balance(simd::Dual<Real>(slip_ratios(), Real(1.0))));
+      const Marked values = waiting(false);
+      if (values.any) take(values, balance(slip_ratios()));
+      busy = slopes.any || values.any;
     }
   }
 
  private:
   struct Marked {
     bool lanes[kLanes] = {};
+    bool any = false;
   };
-  template <class Which>
-  bool any_task(Which which) const {
-    for (const SlipTask& task : tasks_)
-      if (which(task)) return true;
-    return false;
-  }
-  template <class Which>
-  Marked mark(Which which) const {
+  /// Lanes that ask for an evaluation with the slope, or for one without.
+  Marked waiting(bool with_slope) const {
     Marked marked;
-    for (std::size_t l = 0; l < tasks_.size(); ++l) marked.lanes[l] = which(tasks_[l]);
+    for (std::size_t l = 0; l < tasks_.size(); ++l)
+      if (!tasks_[l].search.done() && tasks_[l].search.wants_slope() == with_slope) marked.lanes[l] = marked.any = true;
     return marked;
   }
 

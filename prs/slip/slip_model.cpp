@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 
 namespace prs {
@@ -54,7 +55,7 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
   return *density * roller_body(m, roller).volume;
 }
 
-/// Roller and body; none where conductivity, density or specific heat of one is not known.
+/// Roller and body; none if conductivity, density or specific heat of one is not known.
 std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials& materials, Part body) {
   std::array<contact::HeatedBody, 2> bodies;
   const Part parts[] = {Part::roller, body};
@@ -66,33 +67,21 @@ std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials&
   return bodies;
 }
 
-contact::FrictionLaw friction_of(const SlipModel& model, Interface i, const contact::FilmContact& film) {
-  const Friction& friction = model.friction;
-  switch (friction.model) {
-    case Friction::Model::coulomb:
-      break;
-    case Friction::Model::jacod:
-      return contact::film_friction(*model.oils.threads[i], film);
-    case Friction::Model::mixed:
-      return contact::mixed_friction(*model.oils.threads[i], film,
-                                     {friction.mixed.boundary, friction.mixed.exponent, *model.roughness[i]});
-  }
-  return contact::coulomb_friction(friction.coefficient[i]);
-}
-
 /// A patch under a normal load, by default that of its static axial one.
 LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact, Interface i,
                                   double axial_load, const std::optional<double>& known = {}) {
   const double normal_load = known.value_or(axial_load / std::abs(model.frames[i].normal.z));
   const contact::PrincipalValues& relative = contact.geometry.relative;
-  const contact::FilmContact film{.normal_load = normal_load,
-                                  .curvature = relative.second,
-                                  .contact_modulus = contact.contact_modulus,
-                                  .curvature_ratio = relative.first / relative.second,
-                                  .direction = model.film_direction,
-                                  .thinning = model.film_thinning};
-  return {
-      axial_load, std::nullopt, false, contact::at_load(contact.hertz, normal_load), film, friction_of(model, i, film)};
+  contact::FrictionLaw law = model.friction.at(i);
+  law.oil = model.oils.threads[i].value_or(contact::Lubricant{});
+  law.film = {.normal_load = normal_load,
+              .curvature = relative.second,
+              .contact_modulus = contact.contact_modulus,
+              .curvature_ratio = relative.first / relative.second,
+              .direction = model.film_direction,
+              .thinning = model.film_thinning};
+  law.roughness = model.roughness[i].value_or(0.0);
+  return {axial_load, std::nullopt, false, contact::at_load(contact.hertz, normal_load), law};
 }
 
 }  // namespace
@@ -135,7 +124,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.axial_force = axial_force_on_nut(load_case);
   m.speed = screw_speed(c, load_case);
   m.rollers = mechanism.rollers;
-  if (c.model.mechanism == ModelOptions::Mechanism::full && load_case.share == LoadCase::Share::solved)
+  if (c.model.all_rollers() && load_case.share == LoadCase::Share::solved)
     m.rollers -= static_cast<int>(c.deviations.missing_rollers.size());
   m.screw_torque = c.carrier.screw_torque;
   m.nut_torque = c.carrier.nut_torque;
@@ -240,10 +229,9 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
   } else {
     std::optional<RollerGuides>& known = roller_guides_[*loaded.load_case.direction];
     if (!known)
-      known.emplace(
-          build_sector(sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
-                                    conditions_.model, contact_laws(conditions_, contacts_),
-                                    *loaded.load_case.direction, *loaded.load_case.position, conditions_.deviations)));
+      known.emplace(build_sector(contacts_.mechanism, *conditions_.structure, *conditions_.materials, conditions_.model,
+                                 contact_laws(conditions_, contacts_), *loaded.load_case.direction,
+                                 *loaded.load_case.position, conditions_.deviations));
     const std::vector<double> none(loaded.threads->screw.normal_load.size(), 0.0);
     guides.of_roller.push_back(known->forces({loaded.threads->screw.normal_load, loaded.threads->nut.normal_load},
                                              {{none, none}, {none, none}}));

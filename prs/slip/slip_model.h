@@ -34,8 +34,8 @@ void set_geometry(SlipModel& model, const Contacts& contacts);
 /// Sets one contact that represents all threads of an interface, without its patch.
 void set_equal_contacts(SlipModel& model, const Contacts& contacts);
 
-/// Builds the models of slip of one case from its contacts and loads. The models refer to the grid in here and to the
-/// contacts.
+/// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
+/// in here and to the contacts.
 class SlipModels {
  public:
   /// The case must have passed the requirements of `slip`, the contacts must be its own. `oils`: replace those in
@@ -44,7 +44,8 @@ class SlipModels {
   SlipModels(const SlipModels&) = delete;
   SlipModels& operator=(const SlipModels&) = delete;
 
-  /// One patch for each thread that carries load, of all rollers of a full mechanism; for equal shares one for all.
+  /// One patch for each thread that carries load, of all rollers of a full mechanism; for equal
+  /// shares one for all.
   SlipModel of(const LoadCaseResult& loaded) const;
   /// Models of each nut of a double nut separately: first nut, second nut. They carry compression and tension, the
   /// second one with patches of its own.

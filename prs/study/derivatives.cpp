@@ -71,8 +71,7 @@ LoadCaseResult solved_anew(const Case& given, Command command, const LoadCase& l
 
 /// Whether a load case is solved at each step of the differences: all rollers, and what runs.
 bool is_solved_anew(const Case& c, Command command, const LoadCase& load) {
-  return command == Command::slip || c.model.mechanism == ModelOptions::Mechanism::full ||
-         solve_takes_running_loads(c.model, load.share);
+  return command == Command::slip || c.model.all_rollers() || solve_takes_running_loads(c.model, load.share);
 }
 
 /// The load cases that responses need stand at their index, all others are left out.
@@ -83,7 +82,7 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
   model.contacts = checked_contacts(given, complete ? Detail::complete : Detail::numbers);
   const Conditions& c = given;
   model.load_cases = c.load_cases;
-  if (command == Command::contact)  // It answers those of equal shares alone.
+  if (command == Command::contact)  // The command answers load cases of equal shares only.
     std::erase_if(model.load_cases, [](const LoadCase& load) { return load.share != LoadCase::Share::equal; });
   model.solvers.resize(model.load_cases.size());
   model.solved.resize(model.load_cases.size());
@@ -164,7 +163,7 @@ class BaseCase {
   }
   Eigen::VectorXd values() { return responses(model_, study_.command, numbers_, states_); }
 
-  /// dR/dx with one step width. Throws where a value on the way has no mechanism.
+  /// dR/dx with one step width. Throws if a value on the way has no mechanism.
   Eigen::VectorXd rates(const Factor& factor, double step) {
     std::array<Model, 3> forward, backward;
     for (std::size_t m = 0; m < kDifference.size(); ++m) {
@@ -243,7 +242,7 @@ void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide, const Eig
   for (std::size_t k = 0; k < kept.responses.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     const double error = std::abs(wide[at] - narrow[at]);
-    // What changes by less than this share of the response over the factor is constant.
+    // A change of less than this share of the response over the factor counts as none.
     const double scale = std::abs(wide[at]) + 1e-6 * std::abs(values[at] / size);
     if (!(error <= kSettled * scale)) continue;
     std::optional<Derivative>& best = kept.responses[k];
@@ -293,10 +292,10 @@ void require_model(const Study& study, const Case& c) {
     throw CaseError("study.command",
                     "got another command than `contact`, `solve` or `slip`; expected one of them "
                     "with `plan: derivatives`; write `command: solve`");
-  if (study.command != Command::contact && c.model.bodies == ModelOptions::Bodies::influence)
-    throw CaseError("model.bodies",
-                    "got influence; expected `bars` or `refined` with `plan: derivatives`; write "
-                    "`bodies: refined`");
+  if (study.command != Command::contact && !c.model.bodies->derivatives)
+    throw CaseError("model.bodies", fmt::format("got {}; expected `bars` or `refined` with `plan: derivatives`; write "
+                                                "`bodies: refined`",
+                                                c.model.bodies->name));
 }
 
 }  // namespace

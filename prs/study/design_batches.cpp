@@ -28,8 +28,7 @@ bool SharedContacts::get(std::optional<std::size_t> k, ContactDetail detail, Con
 
 bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
   using Compliance = ModelOptions::ToothCompliance::Kind;
-  const bool plain = c.model.bodies == ModelOptions::Bodies::bars &&
-                     c.model.mechanism == ModelOptions::Mechanism::sector &&
+  const bool plain = c.model.side_by_side() && !c.model.bodies->effects &&
                      c.model.tooth_compliance.kind == Compliance::none && c.structure && c.materials &&
                      c.structure->roller.guidance.clearance == 0.0;
   return plain && std::ranges::all_of(load_cases, [&](std::size_t k) {
@@ -159,7 +158,7 @@ void SectorBatch::add(std::size_t row, Case& c, const std::vector<std::size_t>& 
   ++used_;
 }
 
-/// Adds the sectors of a design whose contacts are found. False where one of them has no place
+/// Adds the sectors of a design whose contacts are found. False if one of them has no place
 /// among the columns.
 bool SectorBatch::add_sectors(std::size_t k) {
   Design& design = designs_[k];
@@ -199,7 +198,7 @@ void SectorBatch::prepare(std::size_t k, ContactDetail detail) {
     design.complete = design.complete && add_sectors(k);
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception&) {  // Alone it says why.
+  } catch (const std::exception&) {  // A separate evaluation gives the reason.
     design.complete = false;
   }
   if (design.complete) return;

@@ -18,8 +18,6 @@
 namespace prs {
 namespace {
 
-using Bodies = ModelOptions::Bodies;
-
 Result analyze_for(Command command, const Conditions& c, Contacts contacts, AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
   return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
@@ -42,7 +40,7 @@ DesignStatus status_of(const Result& result) {
   return {};
 }
 
-/// Runs `compute` and says what stopped it.
+/// Runs `compute` and returns the reason if it stopped.
 template <class Compute>
 DesignStatus status_after(Compute compute) {
   try {
@@ -58,7 +56,7 @@ DesignStatus status_after(Compute compute) {
   }
 }
 
-/// The responses as numbers of results; none where one of them needs the document.
+/// The responses as numbers of results; none if one of them needs the document.
 std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::string>& responses) {
   std::vector<ResultNumber> numbers;
   for (const std::string& path : responses) {
@@ -151,7 +149,7 @@ class OnlyLoadCases {
   decltype(Heat::duty) duty_;
 };
 
-/// None where the scalar chain says why.
+/// The mechanism, if it is valid; none if the scalar chain must report the error.
 std::optional<Mechanism> sound_mechanism(Case& c) {
   try {
     return checked_mechanism(c);
@@ -173,16 +171,16 @@ struct DesignEngine::Parts {
   std::vector<std::size_t> load_cases;                 ///< Load cases that the numbers need.
   bool needs_duty = false;                             ///< Whether one of the numbers is of a duty.
   bool in_columns = false;                             ///< Whether BarBatch or SlipBatch gets what it takes.
-  NumberDetail number_detail;                          ///< What the numbers need of load cases.
+  NumberDetail number_detail;                          ///< Load-case data for the numbers.
   bool of_references = false;                          ///< Whether deviations of references are recorded.
-  Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
-  ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
-  Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
-  bool all_rollers = false;                            ///< Whether the base case is a full mechanism.
+  Detail detail = Detail::numbers;                     ///< Detail of the results for the numbers.
+  ContactDetail contact_detail = ContactDetail::laws;  ///< Detail of the contacts for the numbers.
+  bool side_by_side = true;                            ///< Whether the bodies of the base case take many designs.
+  bool all_rollers = false;                            ///< Whether it is a full mechanism.
   std::optional<LoadHistory> history;                  ///< History of the base case.
   std::optional<HistorySource> history_source;
 
-  /// What a thread needs for itself.
+  /// Data of a thread.
   struct Worker {
     Worker(const input::StudyInput& input, simd::InstructionSet set)
         : reader(input), columns(set), slips(set), sectors(set), contacts(set) {}
@@ -215,7 +213,7 @@ struct DesignEngine::Parts {
       try {
         const std::lock_guard lock(mutex);
         idle.push_back(std::move(owned));
-      } catch (const std::bad_alloc&) {  // One that there is no place for is made anew.
+      } catch (const std::bad_alloc&) {  // A worker that cannot be kept is made again.
       }
     };
     return std::unique_ptr<Worker, decltype(give_back)>(worker.release(), give_back);
@@ -235,7 +233,7 @@ struct DesignEngine::Parts {
     return input::read_force_history(*c.life->history, input.source);
   }
 
-  /// Lives, of which `use` is told where there are any.
+  /// Computes lives and calls `use` with them if there are any.
   template <class Use>
   DesignStatus with_lives(const Case& c, Use use) const {
     const LifeResult result = analyze_warm_life(c, history_of(c));
@@ -288,8 +286,8 @@ struct DesignEngine::Parts {
       base = worker->reader.read(0);
       all_load_cases = base->load_cases.size();
       threads = static_cast<std::size_t>(base->mechanism.contacts_per_roller);
-      bodies = base->model.bodies;
-      all_rollers = base->model.mechanism == ModelOptions::Mechanism::full;
+      side_by_side = base->model.bodies->side_by_side;
+      all_rollers = base->model.all_rollers();
       if (study.command == Command::life && base->life->history) {
         history = history_of(*base);
         history_source = base->life->history;
@@ -420,8 +418,8 @@ struct DesignEngine::Parts {
     return block;
   }
 
-  /// Rows [from, to) of a block, or those before the row that is returned: side by side what a
-  /// batch takes, then one by one what is left, whose contacts are found together.
+  /// Evaluates rows [from, to) of a block, or those before the returned row: side by side if a batch takes them, then
+  /// one by one the rest, whose contacts are found together.
   std::size_t evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker, RowBlock& block,
                              const Stop& stop) const {
     const auto keep_failure = [&](std::size_t row, const auto& compute) {
@@ -489,15 +487,12 @@ struct DesignEngine::Parts {
     if (!in_columns || runs(c)) return false;
     return study.command == Command::slip ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases);
   }
-  bool goes_to_sectors(const Case& c) const {
-    return in_batches() && !runs(c) && c.model.bodies != Bodies::influence &&
-           c.model.mechanism != ModelOptions::Mechanism::full;
-  }
+  bool goes_to_sectors(const Case& c) const { return in_batches() && !runs(c) && c.model.side_by_side(); }
   bool runs(const Case& c) const {
     return study.command == Command::solve && c.model.loads == ModelOptions::Loads::running;
   }
 
-  /// False where no batch takes the design.
+  /// Adds a design to a batch; false if no batch takes it.
   bool add_to_batch(std::size_t row, Case& c, Worker& worker) const {
     if (goes_to_columns(c, worker)) {
       const std::optional<Mechanism> mechanism = sound_mechanism(c);
@@ -554,7 +549,7 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 }
 
 std::size_t DesignEngine::chunk() const {
-  if (parts_->bodies == Bodies::influence || parts_->needs_duty) return 1;
+  if (!parts_->side_by_side || parts_->needs_duty) return 1;
   if (!parts_->numbers || parts_->study.command == Command::life) return 8;
   if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return 512;

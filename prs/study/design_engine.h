@@ -11,8 +11,8 @@ namespace prs {
 /// Evaluates the designs of one study.
 class DesignEngine {
  public:
-  /// Runs the base case. Throws UnknownResponse. The input must outlive the engine. With any
-  /// instruction set a design has the same verdict and, to 1e-11, the same answers.
+  /// Runs the base case. Throws UnknownResponse. The input must outlive the engine. With any instruction set a design
+  /// has the same verdict and, to 1e-11, the same results.
   explicit DesignEngine(const input::StudyInput& input, simd::InstructionSet set = simd::InstructionSet::best,
                         Arrays arrays = Arrays::recorded);
   ~DesignEngine();
@@ -23,16 +23,15 @@ class DesignEngine {
   /// Whether a response is of natural modes.
   bool needs_modes() const;
 
-  /// Designs [first, first + count): a pure function of the study, from any thread. Never throws
-  /// for what is wrong with a design. `stop` is asked between slow designs, and those that follow
-  /// are left out; one at least is answered.
+  /// Evaluates designs [first, first + count): a pure function of the study, from any thread. Never throws for an error
+  /// of a design. `stop` is called between slow designs, and later ones are left out if it returns true; at least one
+  /// is evaluated.
   RowBlock evaluate(std::size_t first, std::size_t count, const std::function<bool()>& stop = {}) const;
 
-  /// Designs that are given by their values, one draw per factor: row k of the block belongs to the
-  /// k-th design.
+  /// Evaluates designs given by their values, one draw per factor: row k of the block belongs to the k-th design.
   RowBlock evaluate(const std::vector<std::vector<Draw>>& designs) const;
 
-  /// Designs that a thread should take at once.
+  /// Number of designs that a thread should take at once.
   std::size_t chunk() const;
 
  private:

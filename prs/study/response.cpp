@@ -24,7 +24,7 @@ void list_paths(const Json& json, const std::string& path, std::vector<std::stri
   for (const auto& [key, value] : json.items()) list_paths(value, path.empty() ? key : path + "." + key, paths);
 }
 
-/// A number of what `part` finds in an answer or not.
+/// Whether `part` finds a number in an answer.
 template <class Owner, class Part>
 std::optional<ResultNumber> number_of(std::string_view path, std::optional<std::size_t> load_case, Part part) {
   std::optional<Reader<Owner>> reader = reader_of<Owner>(path);

@@ -16,17 +16,17 @@ std::optional<double> response(const Json& document, std::string_view path);
 /// Number of entries of the array of numbers at a path; 0 where there is none.
 std::size_t entries(const Json& document, std::string_view path);
 
-/// Every path of a document that has a response, of an array `.max` only.
+/// Every path of a document that has a response, for an array `.max` only.
 std::vector<std::string> response_paths(const Json& document);
 
-/// Responses recorded for a command where the study lists none.
+/// Responses recorded for a command if the study lists none.
 std::vector<std::string> default_responses(Command command);
 
-/// What a response is read from.
+/// Results from which a response is read.
 struct Answer {
   const Contacts& contacts;
   const LoadCaseResult* load_case = nullptr;  ///< The response's load case.
-  const Measures* measures = nullptr;         ///< If asked for.
+  const Measures* measures = nullptr;         ///< Present on request.
   const LoadMeasures* load_measures = nullptr;
   const LifeResult* life = nullptr;  ///< Command `life` only.
   const HeatCycle* cycle = nullptr;  ///< Cases with a duty only.
@@ -35,15 +35,15 @@ struct Answer {
 /// A response in the tables of quantities, read from the results without a document. Its value is
 /// the one that the document would have.
 struct ResultNumber {
-  /// Index of the load case that it belongs to; none: it is the mechanism's.
+  /// Index of its load case; none: it belongs to the mechanism.
   std::optional<std::size_t> load_case;
-  bool needs_complete = false;  ///< Detail::numbers does not have it.
-  bool needs_duty = false;      ///< It is read from the state that a duty comes to.
+  bool needs_complete = false;  ///< Whether Detail::numbers lacks it.
+  bool needs_duty = false;      ///< Whether it is read from the periodic state of a duty.
   std::function<std::optional<double>(const Answer&)> value;
 };
 
-/// The response at a path, see `response`; none where only the document has it: numbers about the
-/// solution, as the iterations that it took.
+/// The response at a path, see `response`; none if only the document has it: numbers about the solution, such as its
+/// iterations.
 std::optional<ResultNumber> result_number(std::string_view path);
 
 }  // namespace prs

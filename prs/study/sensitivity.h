@@ -12,9 +12,10 @@ namespace prs {
 ///
 ///     x = (value - centre) / half_range,
 ///
-/// so that a uniform factor runs from -1 to 1 and a normal one has the standard deviation 1. Values of a log-uniform
-/// factor are taken by their logarithm. Centre and half range come from the factor's distribution, not from the draws;
-/// Yao et al. 2023, section 3.1, scale by the draws' extremes, which differ from it by the order of 1 / samples.
+/// so that a uniform factor runs from -1 to 1 and a normal one has the standard deviation 1. Values
+/// of a log-uniform factor are taken by their logarithm. Centre and half range come from the
+/// factor's distribution, not from the draws; Yao et al. 2023, section 3.1, scale by the draws'
+/// extremes, which differ from it by the order of 1 / samples.
 struct NormalisedFactor {
   std::size_t factor = 0;  ///< Index in the study.
   double centre = 0.0;     ///< Value in the factor's unit, or the logarithm of its number.

@@ -10,11 +10,11 @@ namespace prs {
 namespace {
 
 constexpr std::size_t kMostBands = 12;
-constexpr std::size_t kMostMapNodes = 201;     // Along each axis, of a figure's data.
-constexpr std::size_t kMostSurfaceNodes = 41;  // The same, of what is drawn as a mesh.
-constexpr std::size_t kFewLevels = 8;          // Up to so many, lines are the better picture.
+constexpr std::size_t kMostMapNodes = 201;     // Largest number of nodes along each axis of a figure's data.
+constexpr std::size_t kMostSurfaceNodes = 41;  // Largest number of nodes along each axis of a drawn mesh.
+constexpr std::size_t kFewLevels = 8;          // Largest number of levels for which lines are the better picture.
 
-/// The grid with at most so many nodes along each axis, the outer ones among them.
+/// The grid with at most this many nodes along each axis, the outer ones among them.
 GridData thinned(const GridData& grid, std::size_t most) {
   const std::vector<std::size_t> is = spread(grid.x.size(), most), js = spread(grid.y.size(), most);
   GridData some;
@@ -43,7 +43,7 @@ GridData answered(const GridData& grid) {
   return inner;
 }
 
-/// The figure with a map of the grid, and levels for its colours; false where it has no numbers.
+/// The figure with a map of the grid, and levels for its colours; false if it has no numbers.
 bool add_map(Figure& figure, const GridData& grid, std::string label, std::string unit) {
   Range range;
   for (const double value : grid.values) range.include(value);
@@ -227,7 +227,7 @@ std::optional<Figure> array_surface(const StudyResult& result, const std::vector
 
 constexpr std::size_t kMostBars = 14;
 constexpr std::size_t kMostClouds = 6;     // Factors whose designs are drawn.
-constexpr std::size_t kMostPoints = 1000;  // Of a cloud.
+constexpr std::size_t kMostPoints = 1000;  // Largest number of points of a cloud.
 
 Figure kind_of_figure(const StudyResult& result, std::size_t response, std::string_view kind) {
   Figure figure = response_figure(result.study.responses, response);
@@ -320,12 +320,12 @@ std::optional<double> value_of(const StudyRow& row, std::size_t factor) {
   return setting == row.design.settings.end() ? std::nullopt : setting->level.number;
 }
 
-/// What the surface gives over one factor, the others in the middle of their ranges.
+/// Value of the surface over one factor, the others in the middle of their ranges.
 Polyline line_of_fit(const FactorEffect& effect, double intercept, const NormalisedFactor& x, double from, double to) {
   return {{from, intercept + effect.coefficient * x(from)}, {to, intercept + effect.coefficient * x(to)}};
 }
 
-/// The designs over the factors that matter most, so many of them.
+/// Designs over the most important factors, at most this many of them.
 Figure cloud_figure(const StudyResult& result, std::size_t response, const LinearFit& fit, std::size_t most) {
   const std::vector<NormalisedFactor> normalised = normalised_factors(result.study);
   Figure figure = kind_of_figure(result, response, "designs");

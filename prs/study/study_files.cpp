@@ -60,7 +60,7 @@ struct RowFiles {
   std::filesystem::path folder;
   StagedFile csv;
   std::optional<StudyNetcdf> netcdf;
-  std::string absent;  ///< What is not written, and why.
+  std::string absent;  ///< Files that are not written, and the reason.
 
   RowFiles(const std::filesystem::path& below, const Study& study, const std::vector<FactorColumn>& columns,
            const DocumentInfo& info)
@@ -400,7 +400,7 @@ std::string without_derivative(const CaseDerivatives& result, std::size_t factor
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// What 1 % of each factor does to the responses, the factors that matter most.
+/// Effects of 1 % of each factor on the responses, for the most important factors.
 Figures elasticities(const CaseDerivatives& result, const FigureOptions& options) {
   constexpr std::size_t kMostDrawn = 14;
   return figures_of(result.study.responses, options, [&](std::size_t response) -> std::optional<Figure> {

@@ -8,9 +8,9 @@
 
 namespace prs {
 
-/// `study.csv`: one row per design, the base case first, then status, reason and the responses
-/// under their paths. Before them stand the values of all factors or, where designs differ from the
-/// base case in one value, this one: `factor`, `label`, `value`, `number`, `unit`.
+/// `study.csv`: one row per design, the base case first, then status, reason and the responses under their paths. The
+/// first columns are the values of all factors or, if designs differ from the base case in one value, this one:
+/// `factor`, `label`, `value`, `number`, `unit`.
 class StudyCsv {
  public:
   /// Study and columns must outlive the object.
@@ -28,9 +28,9 @@ class StudyCsv {
   CsvStyle style_;
 };
 
-/// `envelope.csv`: one row per node of the grid and then one per point that was read off, which is
-/// named in `point`; number of the design where it is one, factors and companions, responses,
-/// measures divided by what normalises them (`normalised.PATH`) and the `envelope`.
+/// `envelope.csv`: one row per node of the grid and then one per point, which is named in `point`; number of the design
+/// if it is one, factors and companions, responses, measures divided by their normalisation (`normalised.PATH`) and the
+/// `envelope`.
 std::string envelope_csv(const Study& study, const GridMaps& maps, const EnvelopeResult& envelope,
                          const CsvStyle& style = {});
 
@@ -44,13 +44,13 @@ class StudyNetcdf {
   StudyNetcdf(const std::filesystem::path& path, const Study& study, const std::vector<FactorColumn>& columns,
               const DocumentInfo& info);
 
-  /// The next block; `factors` are those of `factor_values`.
+  /// Adds the next block; `factors` are those of `factor_values`.
   void add(const RowBlock& block, const std::vector<double>& factors);
 
-  /// Ends the file and brings it to the disk, under its temporary name.
+  /// Ends the file and writes it to the disk, under its temporary name.
   void finish();
 
-  /// Gives the file its name.
+  /// Renames the file to its target.
   void publish();
 
  private:
@@ -76,37 +76,36 @@ class StudyNetcdf {
   std::size_t written_ = 0;
 };
 
-/// Takes a block of rows and what its designs set, see `factor_values`.
+/// Receives a block of rows and the values of its designs, see `factor_values`.
 using TakeRows = std::function<void(const RowBlock& block, std::span<const double> inputs)>;
 
-/// Reads the rows of all designs once, in their order, and gives every block to `add`. With a
-/// folder, `study.csv` and `study.nc` are written on the way; they are on the disk when this
-/// returns. Returns what was not written, and why: `study.nc` by a build without netCDF. The memory
-/// needed does not depend on the number of designs. Throws std::system_error that names a file that
-/// cannot be written; earlier files of that name are then as they were.
+/// Reads the rows of all designs once, in their order, and gives every block to `add`. With a folder, `study.csv` and
+/// `study.nc` are written meanwhile; they are on the disk when this returns. Returns the files that were not written,
+/// and the reason: `study.nc` by a build without netCDF. The memory needed does not depend on the number of designs.
+/// Throws std::system_error that names a file that cannot be written; earlier files of that name are then unchanged.
 std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
                        const std::filesystem::path* folder, std::size_t threads, const TakeRows& add,
                        const CsvStyle& style = {});
 
 Record<CaseDerivatives> record_of(Type<CaseDerivatives>);
 
-/// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry a
-/// response, with its value and what each factor does to it.
+/// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry per response, with its
+/// value and the effect of each factor.
 Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
 
 /// `derivatives.csv`: one row per response and factor.
 std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style = {});
 
-/// One table per response: what 1 % of each factor does to it, the strongest first.
+/// One table per response: the effect of 1 % of each factor, the strongest first.
 std::string derivatives_table(const CaseDerivatives& result);
 
-/// What the derivatives of a case can show. The result must outlive the list.
+/// Pictures of the derivatives of a case. The result must outlive the list.
 Pictures derivatives_pictures(const CaseDerivatives& result);
 
-/// As the input writes it: `latin_hypercube`.
+/// Name in the input: `latin_hypercube`.
 std::string_view name(Plan plan);
 
-/// What the document of a study says of it.
+/// Contents of the document of a study.
 struct StudyDocument {
   const StudyResult* result = nullptr;
   bool with_rows = true;
@@ -114,28 +113,28 @@ struct StudyDocument {
 Record<StudyDocument> record_of(Type<StudyDocument>);
 Record<Level> record_of(Type<Level>);
 
-/// The document of `prs study --json`: the study; under `summary` what the designs say together,
-/// under `envelope` the envelope of a study that has one, and under `designs` what each of those
-/// kept gave, with `designs_shown` where that is not all of them.
+/// The document of `prs study --json`: the study; under `summary` the statistics of the designs, under `envelope` the
+/// envelope of a study that has one, and under `designs` the results of each of those kept, with `designs_shown` if
+/// these are not all.
 Json study_json(const StudyResult& result, const DocumentInfo& info);
-/// The same with an empty list of designs.
+/// The document with an empty list of designs.
 Json study_outline(const StudyResult& result, const DocumentInfo& info);
 
-/// An outline with the designs of the result in its empty list: what `json_text` gives of
+/// Writes an outline with the designs of the result in its empty list: the text that `json_text` gives for
 /// `study_json`, one design after the other.
 void write_study(const Json& outline, const StudyResult& result, const TextSink& sink);
 
-/// A study within 100 columns. Where designs differ in one value: their rows, one table per factor
-/// with the base case in it. Otherwise what matters most to each response, by shares of its
-/// variance or contributions to its linear surface, then statistics and, of a grid, the extremes.
-/// What has no room stands in study.csv and study.json. Last come the designs without an answer.
+/// A study within 100 columns. If designs differ in one value: their rows, one table per factor with the base case in
+/// it. Otherwise the most important factors of each response, by shares of its variance or contributions to its linear
+/// surface, then statistics and, for a grid, the extremes. Further data are in study.csv and study.json. Last come the
+/// designs without a result.
 std::string study_table(const StudyResult& result);
 
-/// What is wrong with the designs that have no answer, of the first ones; empty where all have one.
+/// Reasons of the first designs without a result; empty if all have one.
 std::string study_failures(const StudyResult& result);
 
-/// `120 of 500 designs (40 from the journal), 850 a second, 0:12 left`; `done` counts the `found`
-/// ones of the journal too, which took no time.
+/// Text `120 of 500 designs (40 from the journal), 850 a second, 0:12 left`; `done` includes the `found` ones of the
+/// journal, which took no time.
 std::string progress_line(std::size_t done, std::size_t total, double seconds, std::size_t found = 0);
 
 }  // namespace prs

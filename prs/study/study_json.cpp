@@ -24,7 +24,7 @@ Record<study_document::FactorOf> record_of(Type<study_document::FactorOf>);
 
 namespace study_document {
 
-// What is varied.
+// Varied inputs
 
 constexpr Quantity<Level> kLevel[] = {
     {"value", always<&Level::text>},
@@ -77,7 +77,7 @@ constexpr Quantity<Study> kStudy[] = {
     {"responses", always<&Study::responses>},
 };
 
-// What the designs say together.
+// Statistics of the designs
 
 constexpr Quantity<Histogram> kHistogram[] = {
     {"from", always<&Histogram::from>},
@@ -200,7 +200,7 @@ constexpr Quantity<In<MapAxis>> kAxis[] = {
 
 using Map = std::vector<std::vector<double>>;
 
-/// As rows along the second factor.
+/// The map as rows along the second factor.
 static Map rows_of(const StudyResult& result, const GridMap& map) {
   const GridMaps& maps = *result.summary.maps;
   Map rows;

@@ -1,6 +1,6 @@
 #include "prs/study/study_pictures.h"
 
-#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_figures.h"
 #include "prs/record/table_units.h"
 #include "prs/study/recorded.h"
 
@@ -181,7 +181,7 @@ Sweep sweep_of(const StudyResult& result, std::size_t index) {
   return sweep;
 }
 
-/// Over the designs with an answer.
+/// Axis over the designs with a result.
 Axis axis_of(const Sweep& sweep) {
   std::vector<double> answered;
   for (const Point& point : sweep.points)
@@ -301,7 +301,7 @@ constexpr std::size_t kMaxPanelTitle = 60;
 /// Level of each factor.
 using Combination = std::vector<std::size_t>;
 
-/// Which factors the axes, lines and panels stand for.
+/// Factors of the axes, lines and panels.
 struct Layout {
   std::size_t x = 0;
   std::size_t line = 0;
@@ -334,7 +334,7 @@ std::optional<double> value_at(const StudyResult& result, const Combination& com
   return index + 1 < result.rows.size() ? result.rows[index + 1].responses[response] : std::nullopt;
 }
 
-/// Along an ascending axis, interrupted where a design has no answer.
+/// Series along an ascending axis, interrupted if a design has no result.
 Series series_over(const StudyResult& result, std::size_t response, std::size_t x, Combination combination,
                    std::size_t style) {
   const std::vector<double> at = positions(result.study.factors[x]);

@@ -28,7 +28,7 @@ inline bool varies_one_at_a_time(const Study& study) {
 /// Throws NoFigure.
 std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses, const FigureOptions& options);
 
-/// A figure of each of these responses that `make` gives one of, as far as it has data.
+/// A figure for each of these responses for which `make` has data.
 template <class Make>
 Figures figures_of(const std::vector<std::string>& responses, const FigureOptions& options, Make make) {
   Figures figures;
@@ -43,7 +43,7 @@ std::string study_figure_name(std::size_t index, const std::string& label);
 /// Name and title of a figure of a response.
 Figure response_figure(const std::vector<std::string>& responses, std::size_t response);
 
-/// Over these values of a factor; of words, at 1, 2, ..
+/// Axis over these values of a factor; for words, at 1, 2, ..
 Axis factor_axis(const Factor& factor, const std::vector<double>& values);
 
 /// Axis of a response's values.
@@ -55,10 +55,10 @@ std::string factor_name(const Factor& factor);
 /// Positions of the levels of a factor, words at 1, 2, ...
 std::vector<double> positions(const Factor& factor);
 
-/// Up to so many of `count`, evenly spread, both ends among them.
+/// At most `most` indices below `count`, evenly distributed, both ends among them.
 std::vector<std::size_t> spread(std::size_t count, std::size_t most);
 
-/// How many panels stand side by side.
+/// Number of panels side by side.
 std::size_t columns_for(std::size_t panels);
 
 /// Signed bars from above to below, the longest first, with their numbers.
@@ -67,7 +67,7 @@ Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const s
 /// Whether a map shows more than lines do: a grid over two numeric factors of many levels.
 bool suits_map(const Study& study);
 
-// Figures of a study; none where the result holds no data.
+// Figures of a study; none if the result holds no data.
 
 /// The envelope of several measures over two factors (Jung 2017, figs. 7.7 to 8.8).
 Figures study_envelope(const StudyResult& result, const FigureOptions& options);
@@ -79,16 +79,16 @@ Figures study_maps(const StudyResult& result, const FigureOptions& options);
 /// same as a surface.
 Figures array_surfaces(const StudyResult& result, const FigureOptions& options);
 
-/// What each factor contributes to the responses: to their linear surfaces, or to their variance.
+/// Contributions of each factor to the responses: to their linear surfaces, or to their variance.
 Figures contributions(const StudyResult& result, const FigureOptions& options);
 
-/// A response of a sampled study over the factors that matter most.
+/// A response of a sampled study over the most important factors.
 Figures design_clouds(const StudyResult& result, const FigureOptions& options);
 
-/// How the responses scatter, the first of them in one figure.
+/// Distributions of the responses, the first of them in one figure.
 Figures histograms(const StudyResult& result, const FigureOptions& options);
 
-/// What a study can show. The result must outlive the list.
+/// Pictures of a study. The result must outlive the list.
 Pictures study_pictures(const StudyResult& result);
 
 }  // namespace prs

@@ -100,7 +100,7 @@ std::string missing_shards(const StoredRows& rows, std::size_t designs) {
     std::size_t absent = 0;
     for (; gap != gaps.end() && gap->first < all.end(); ++gap) {
       absent += std::min(gap->end(), all.end()) - std::max(gap->first, all.first);
-      if (gap->end() > all.end()) break;  // It continues in the next shard.
+      if (gap->end() > all.end()) break;  // The gap continues in the next shard.
     }
     if (absent == 0 || ++incomplete > kMostNamed) continue;
     text += fmt::format("\n  shard {}: {} of {} designs are missing", name(shard), absent, all.count);

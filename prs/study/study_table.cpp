@@ -15,7 +15,7 @@ constexpr std::size_t kMinCell = 9;
 constexpr std::string_view kGap = "  ";
 constexpr std::string_view kBaseMark = "as in the file";
 constexpr std::size_t kMostRanked = 10;  // Factors per response.
-constexpr double kLeastShare = 1e-3;     // Least share of a factor that is shown.
+constexpr double kLeastShare = 1e-3;     // Smallest share of a factor that is shown.
 constexpr std::size_t kMostRankings = 6;
 constexpr std::size_t kMaxName = 30;
 constexpr TableRows kStatistics{kMaxName, 9, 1};
@@ -48,7 +48,7 @@ Heading heading(const ResponseTitle& title) {
 struct Columns {
   std::vector<Recorded> responses;  ///< Of arrays the largest entry is shown.
   std::vector<Heading> headings;
-  std::vector<double> factors;  ///< From the unit of documents to that of the heading.
+  std::vector<double> factors;  ///< Factors from the unit of documents to that of the heading.
   std::vector<std::size_t> widths;
   std::size_t value_width = 0;
 };
@@ -204,7 +204,7 @@ std::string bar(double share) {
   return text;
 }
 
-/// The first factors, those with a share of at least `least` of what makes all of it.
+/// The first factors, those with a share of at least `least` of the total.
 template <class Ranked>
 std::string ranking(const Study& study, const std::vector<Ranked>& factors, double least, const auto& share,
                     const auto& numbers) {
@@ -262,7 +262,7 @@ std::string gains(const Study& study, std::size_t response, const std::vector<To
              });
 }
 
-/// What matters most to each response.
+/// Most important factors of each response.
 std::string rankings(const StudyResult& result) {
   const Study& study = result.study;
   const StudySummary& summary = result.summary;
@@ -294,7 +294,7 @@ std::string statistics(const StudyResult& result) {
     std::vector<std::string> cells;
     for (const std::optional<double>& value : values) {
       const double shown = response.factor * value.value_or(0.0);
-      const int digits = std::abs(shown) < 1e-4 ? 3 : 4;  // So that those with an exponent fit.
+      const int digits = std::abs(shown) < 1e-4 ? 3 : 4;  // Fewer digits, so that numbers with an exponent fit.
       cells.push_back(value ? significant(shown, digits) : std::string(kAbsent));
     }
     text += kStatistics(shortened(response.text(), kMaxName), cells);
@@ -305,7 +305,7 @@ std::string statistics(const StudyResult& result) {
   return text;
 }
 
-/// Which designs of a grid have the least and the largest response.
+/// Designs of a grid with the smallest and the largest response.
 std::string extremes(const StudyResult& result) {
   std::string text;
   for (std::size_t k = 0; k < std::min(result.study.responses.size(), kMostRankings); ++k) {
@@ -326,7 +326,7 @@ std::string envelope_row(const std::string& label, std::vector<std::string> cell
   return kEnvelope(shortened(label, kMaxName), cells);
 }
 
-/// What makes the envelope: `stiffness (N/µm)   weight 3   rms 412.3`.
+/// Measures of the envelope: `stiffness (N/µm)   weight 3   rms 412.3`.
 std::string envelope_measures(const StudyResult& result) {
   const EnvelopeResult& envelope = *result.summary.envelope;
   const bool product = result.study.envelope->combine == Envelope::Combine::product;

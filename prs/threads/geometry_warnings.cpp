@@ -123,7 +123,7 @@ void warn_of_free_bearings(const Structure& s, std::vector<Warning>& warnings) {
 
 /// Warns of a face of the nut on the side to which the load pushes the nut, which can only be pulled.
 void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads, std::vector<Warning>& warnings) {
-  if (!c.structure || c.model.bodies == ModelOptions::Bodies::bars) return;
+  if (!c.structure || !c.model.bodies->grooves) return;
   const Structure::Nut& nut = c.structure->nut;
   for (const Direction d : {Direction::tension, Direction::compression}) {
     const auto carries = [&](const LoadCase& load) { return load.direction == d; };

@@ -45,6 +45,7 @@ using Kinematics = KinematicsOf<double>;
 /// a standard mechanism turns and its nut is held against turning; in an inverted mechanism the nut turns and the screw
 /// is held. The held part travels, and the rollers with it. omega_s/n has the same sign in both; against the frame a
 /// screw turns with omega_s/n, a nut with -omega_s/n.
+
 template <class Number, class Real>
 Number against_frame(const simd::Lanes<Real>& is_standard, const Number& against_nut, const Real& speed) {
   using simd::select;

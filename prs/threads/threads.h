@@ -51,10 +51,10 @@ struct ThreadClearance {
 /// 0.359 mm in his initial design, yet never as near as a contact point inside both flanks. Yao has
 /// phi for straight bodies and a roller's arc about its axis in the axial plane, at the radii
 /// d_R0/2 -+ h_a (59), which supposes c = r_S + r_R = r_N - r_R; any profile, plane and centre
-/// distance generalise that. A crest is absent where the other part's profile has ended. Yao asks
+/// distance generalise that. A crest is absent if the other part's profile has ended. Yao asks
 /// for flank > 0 (56) and for crests farther away than flanks (60).
 ///
-/// Nothing where the heights of one of the two threads are not given, pitches differ (then the
+/// Nothing if the heights of one of the two threads are not given, pitches differ (then the
 /// parts have no middle) or the contact point is not `ok`.
 std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry& threads, Interface interface,
                                                 const contact::ContactPoint& point);

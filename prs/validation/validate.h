@@ -52,7 +52,7 @@ struct Verdict {
   enum class Kind { holds, holds_only_with, does_not_hold };
   Kind kind = Kind::does_not_hold;
   std::vector<std::string> only_with = {};  ///< Variants of the model under which it holds.
-  std::string evidence = {};                ///< From the plain model and the first variant that holds.
+  std::string evidence = {};                ///< Results of the plain model and of the first variant that holds.
   std::string why = {};                     ///< Reason why it does not hold with the plain model.
 };
 

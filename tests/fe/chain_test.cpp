@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "fe/chain_hertz.h"
 #include "fe/chain_station.h"
 #include "fe/newton.h"
 #include "fe/power_law_spring.h"

@@ -45,7 +45,7 @@ bool asks_for_much(const input::Source& source) try {
   const input::CaseFile file = input::read_case_file(input::read_document(source, errors), errors);
   const Case& c = file.values;
   const Mechanism& m = c.mechanism;
-  const bool full = c.model.mechanism == ModelOptions::Mechanism::full;
+  const bool full = c.model.all_rollers();
   double loads = 0.0;
   for (const input::LoadCaseItem& item : file.load_cases) {
     if (points(item) > 8) return true;
@@ -53,7 +53,7 @@ bool asks_for_much(const input::Source& source) try {
   }
   const int threads =
       m.contacts_per_roller <= 50 && m.rollers <= 40 ? m.contacts_per_roller * (full ? m.rollers : 1) : 1000;
-  const bool influence = c.model.bodies == ModelOptions::Bodies::influence;
+  const bool influence = c.model.bodies->meshes;
   if (c.response && vibrates_much(*c.response)) return true;
   if (file.fit && fits_much(*file.fit)) return true;
   return threads > 100 || loads * (full ? 4 : 1) > 24 || influence || c.model.patch_points > 25;

@@ -142,7 +142,8 @@ struct Film {
   Real central = 0;    ///< Film by the full fit [m].
 };
 
-/// H of Nijenbanning, Venner and Moes (Wear 176, 1994), as they print it; long double has the range for its powers.
+/// H of Nijenbanning, Venner and Moes (Wear 176, 1994), as they print it; long double has the range
+/// for its powers.
 inline Real full_film_number(Real m, Real l, Real lambda) {
   const Real k = 1 + Real(0.006L) * std::log(lambda) + Real(0.63L) * std::pow(lambda, Real(4) / 7);
   const Real ri = 145 * std::pow(1 + Real(0.796L) * std::pow(lambda, Real(14) / 15), -Real(15) / 7) / lambda / (m * m);

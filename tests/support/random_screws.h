@@ -127,14 +127,14 @@ struct Screw {
   }
 };
 
-/// The same screw of the other hand.
+/// Mirror image of the screw, of the other hand.
 inline Screw left_handed(Screw s) {
   s.hand = -s.hand;
   return s;
 }
 
-/// The same screw with screw and nut exchanged, for bars whose contacts are given and whose nut is held before its
-/// first contact: in the frame of the other body, a pull on one is a push on the other.
+/// Copy with screw and nut exchanged, for bars whose contacts are given and whose nut is held before its first contact:
+/// in the frame of the other body, a pull on one is a push on the other.
 inline Screw swapped(Screw s) {
   const double screw = s.screw_modulus * s.screw_area(), nut = s.nut_modulus * s.nut_area();
   const double held = s.position - s.thrust_tension;

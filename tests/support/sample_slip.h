@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_pictures.h"
 #include "support/sample_result.h"
 
 namespace test {

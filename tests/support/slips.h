@@ -40,12 +40,12 @@ inline prs::Case sandu_reference() {
 }
 
 inline prs::Case with_coulomb(prs::Case c, double coefficient) {
-  c.friction = prs::Friction{prs::Friction::Model::coulomb, prs::at_both(coefficient)};
+  c.friction = prs::friction_by(contact::Coulomb{prs::at_both(coefficient)});
   return c;
 }
 
 inline prs::Case with_mixed_friction(prs::Case c, double boundary, double exponent) {
-  c.friction = prs::Friction{prs::Friction::Model::mixed, {}, {boundary, exponent}};
+  c.friction = prs::friction_by(contact::Mixed{prs::at_both(boundary), prs::at_both(exponent)});
   if (!c.roughness) c.roughness = prs::PerPart<double>{0.3e-6, 0.4e-6, 0.2e-6};
   return c;
 }
@@ -92,7 +92,7 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   const double roller_radius = 0.5 * *m.pitch_diameter.screw / (standard ? m.starts.screw - 2 : m.starts.screw);
   m.profile.roller.radius = roller_radius / std::sin(flank) * uniform(0.7, 1.3);
   m.backlash = {uniform(-0.02, 0.05) * pitch, uniform(-0.02, 0.05) * pitch};
-  m.rollers = whole(1, standard && m.starts.screw == 3 ? 5 : 6);  // As thick as the screw.
+  m.rollers = whole(1, standard && m.starts.screw == 3 ? 5 : 6);  // Roller as thick as the screw.
   m.contacts_per_roller = whole(2, 9);
   c.lubricant->viscosity = log_uniform(5e-3, 1.0);
   c.lubricant->pressure_viscosity = uniform(10e-9, 40e-9);
@@ -142,7 +142,7 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
     side.larger_curvature = g.relative.second;
     side.curvature_ratio = g.relative.first / side.larger_curvature;
     side.relative_modulus = 2 * contact.contact_modulus;
-    if (c.friction->model == prs::Friction::Model::coulomb) side.coulomb = c.friction->coefficient[i];
+    if (c.friction->kind == contact::kind_of<contact::Coulomb>) side.coulomb = c.friction->coefficient[i];
     if (c.roughness)
       side.roughness = std::hypot(static_cast<plain::Real>((*c.roughness)[prs::body_of(i)]),
                                   static_cast<plain::Real>(c.roughness->roller));
@@ -154,8 +154,8 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
   if (c.lubricant)
     p.lubricant = {*c.lubricant->viscosity, *c.lubricant->pressure_viscosity, *c.lubricant->eyring_stress};
   if (c.lubricant) p.film_along_rolling = c.lubricant->film.direction == contact::FilmDirection::rolling;
-  if (c.friction->model == prs::Friction::Model::mixed) p.boundary = c.friction->mixed.boundary;
-  p.exponent = c.friction->mixed.exponent;
+  if (c.friction->kind == contact::kind_of<contact::Mixed>) p.boundary = c.friction->boundary.screw;
+  p.exponent = c.friction->exponent.screw;
   p.carrier_roller_torque = c.carrier.roller_torque;
   p.carrier_screw_torque = c.carrier.screw_torque;
   p.carrier_nut_torque = c.carrier.nut_torque;

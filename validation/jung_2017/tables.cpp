@@ -179,7 +179,7 @@ std::vector<PrintedParameters> table_a1(const Reference& thesis) {
   for (const ReferenceCase& c : thesis.cases)
     for (const PrintedValue& v : c.values) {
       if (!v.where.starts_with("table A1")) continue;
-      const std::string f = v.where.substr(v.where.rfind(' ') + 1);  // Of `F = 0.1075`.
+      const std::string f = v.where.substr(v.where.rfind(' ') + 1);  // Text such as `F = 0.1075`.
       if (lines.empty() || lines.back().curvature_difference.text != f) lines.push_back({{f, {}}, {}, {}, {}});
       PrintedParameters& line = lines.back();
       (v.quantity.ends_with("semi_major")   ? line.semi_major

@@ -1,6 +1,7 @@
 #include "validation/reference_fe/extension.h"
 
 #include "modules/module.h"
+#include "prs/bodies/body_models.h"
 #include "validation/extensions.h"
 
 namespace prs::reference_fe {
@@ -460,14 +461,13 @@ std::vector<Figure> displacement_figures(const std::vector<Model>& models, const
 namespace {
 
 Supplement compared(const Case& screw, const Reference& of) {
-  using enum ModelOptions::Bodies;
   const std::vector<Curve> reference = read_curves(of.folder / "data" / "curves.csv");
   const auto curves = [&](ModelOptions::Bodies bodies) { return computed_curves(screw, bodies, reference); };
-  Fidelities f{reference, curves(bars), curves(refined), {}};
+  Fidelities f{reference, curves(&kBars), curves(&kRefined), {}};
   std::vector<Model> models{{"bars", f.bars}, {"refined", f.refined}};
   std::vector<std::string> not_built;
   try {
-    f.influence = curves(influence);
+    f.influence = curves(&kInfluence);
     models.push_back({"influence", f.influence});
   } catch (const modules::NotBuilt&) {
     not_built = {"bodies: influence"};

@@ -74,8 +74,8 @@ namespace {
 
 constexpr int kPointsOfFigure28 = 11;
 
-/// Relative curvatures along the axes that the thesis gives the ellipse: table 1.4 with absolute values of the
-/// curvatures, then (1.71), (1.72).
+/// Relative curvatures along the axes that the thesis gives the ellipse: table 1.4 with absolute
+/// values of the curvatures, then (1.71), (1.72).
 contact::PrincipalValues curvatures_by_absolute_values(const contact::InterfaceGeometry& g) {
   const double phi = g.first_directions_angle();
   const double body = std::abs(g.body.second) - std::abs(g.body.first);
@@ -132,7 +132,9 @@ ValidationTable printed_ellipses(const Case& reference) {
       const contact::Film film =
           contact::sandu_film(*model.oils.threads[i], {load, larger_curvature, contact.contact_modulus}, rolling_speed);
       row.push_back(film.thickness * per_si::nanometre);
-      row.push_back(contact::Patch(grid, ellipse, contact::coulomb_friction(0.0)).friction(motion).max_sliding_speed *
+      row.push_back(contact::Patch(grid, ellipse, contact::friction_law(contact::Coulomb{0.0}))
+                        .friction(motion)
+                        .max_sliding_speed *
                     per_si::millimetre);
     };
     add(thesis, printed_ellipse(relative, load, contact.contact_modulus), relative.second, rolling);

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_pictures.h"
 
 namespace prs::sandu_2018 {
 namespace {
@@ -51,7 +52,7 @@ Case inverted(Case c) {
   return c;
 }
 Case with_coulomb(Case c, double coefficient) {
-  c.friction = Friction{Friction::Model::coulomb, at_both(coefficient)};
+  c.friction = friction_by(contact::Coulomb{at_both(coefficient)});
   return c;
 }
 Case at(Case c, void (*change)(Case&, double), double value) {
@@ -64,7 +65,7 @@ Case without_friction(Case c) {
   return with_coulomb(c, 0.0);
 }
 
-bool coulomb(const Case& c) { return c.friction->model == Friction::Model::coulomb; }
+bool coulomb(const Case& c) { return c.friction->kind == contact::kind_of<contact::Coulomb>; }
 
 Values of(const Results& results, const std::function<double(const SlipResult&)>& quantity) {
   Values values;
@@ -374,11 +375,11 @@ Finding dynamic_ellipses_change_little(const Case& c) {
       std::vector<contact::Patch>& patches = model.threads[i].patches;
       patches.clear();
       if (coulomb(c))
-        patches.emplace_back(m.models.grid(), ellipse, contact::coulomb_friction(c.friction->coefficient[i]));
+        patches.emplace_back(m.models.grid(), ellipse, c.friction->at(i));
       else
         patches.emplace_back(m.models.grid(), ellipse,
-                             contact::film_friction(*model.oils.threads[i],
-                                                    {load, contact.geometry.relative.second, contact.contact_modulus}));
+                             contact::friction_law(contact::Jacod<double>{}, *model.oils.threads[i],
+                                                   {load, contact.geometry.relative.second, contact.contact_modulus}));
     }
     e = find_slip_equilibrium(model);
   }

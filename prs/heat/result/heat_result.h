@@ -39,7 +39,7 @@ struct HeatResult {
 struct HeatCycle {
   HeatStatus status = HeatStatus::iteration_limit;
   std::string reason = {};
-  std::vector<double> time;                  ///< From the start of the cycle to its end [s].
+  std::vector<double> time;                  ///< Times from the start of the cycle to its end [s].
   PerPart<std::vector<double>> temperature;  ///< Temperatures at these times [K].
   PerPart<double> peak, mean;                ///< [K]
   double period = 0.0;                       ///< [s]

@@ -52,8 +52,8 @@ class ChainSolver {
   ThreadLoads loads_;
 };
 
-/// The sector's numbers as a chain. Nodes of shells between contacts and beyond them are eliminated in extended
-/// precision, all else in closed form.
+/// The sector's numbers as a chain. Nodes of shells between contacts and beyond them are eliminated
+/// in extended precision, all else in closed form.
 ChainSector condense(const SectorModel& model);
 
 /// Solver by the chain, or by SectorSolver if guides have a clearance, the chain does not converge or its tangent has

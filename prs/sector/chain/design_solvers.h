@@ -9,9 +9,10 @@ namespace prs {
 
 using simd::InstructionSet, simd::available, simd::batch_size, simd::name;
 
-/// Solves designs of `Bodies::bars` side by side: as many sectors as a batch has numbers in lock step, each with its
-/// own convergence. Set-up of the sectors is included. A design's result does not depend, bit for bit, on the other
-/// designs. The workspace is kept between calls; use one solver per thread.
+/// Solves designs of `kBars` side by side: as many sectors as a batch has numbers in lock
+/// step, each with its own convergence. Set-up of the sectors is part of it. A design's result does
+/// not depend, bit for bit, on the other designs. Workspace is kept from call to call; one
+/// solver a thread.
 class BarDesignSolver {
  public:
   explicit BarDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
@@ -35,10 +36,10 @@ class BarDesignSolver {
   ThreadLoads loads_;
 };
 
-/// Solves designs of `Bodies::refined` side by side, from the numbers of their bodies to the loads of their threads,
-/// like BarDesignSolver those of bars. Sectors come from `set_sector_model`; `work_out` is not needed. A design's
-/// result does not depend, bit for bit, on the other designs. The workspace is kept between calls; use one solver per
-/// thread.
+/// Solves designs of `kRefined` side by side, from the numbers of their bodies to the loads
+/// of their threads, as BarDesignSolver does those of bars. Sectors come from `set_sector_model`;
+/// nothing of them needs to be worked out. A design's result does not depend, bit for bit, on the
+/// other designs. Workspace is kept from call to call; one solver a thread.
 class RefinedDesignSolver {
  public:
   explicit RefinedDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}

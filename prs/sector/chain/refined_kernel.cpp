@@ -1,5 +1,6 @@
 #include "prs/sector/chain/refined_kernel.h"
 
+#include "fe/chain_hertz.h"
 #include "prs/sector/chain/nut_condensation.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/refined_formulas.h"

@@ -1,5 +1,6 @@
 #include "prs/sector/chain/sector_kernel.h"
 
+#include "fe/chain_hertz.h"
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"
@@ -7,35 +8,25 @@
 namespace prs {
 namespace {
 
-/// Batches of the two halves of a sector, with the multiply-add for which this file is compiled.
-struct Halves : simd::Baseline {};
-
-}  // namespace
-}  // namespace prs
-
-namespace xsimd {
-namespace types {
-XSIMD_DECLARE_SIMD_REGISTER_ALIAS(prs::Halves, simd::Baseline);
-}
-}  // namespace xsimd
-
-namespace prs {
-namespace {
-
-using Half = xsimd::batch<double, Halves>;
+/// The two halves of a sector, with whatever multiply-add this file is compiled for.
+#if defined(__SSE4_2__)
+using Half = xsimd::batch<double, xsimd::sse4_2>;
+#else
+using Half = xsimd::batch<double, simd::Baseline>;
+#endif
 
 [[gnu::always_inline]] inline Half both(double first, double second) {
   const double lanes[] = {first, second};
   return from_lanes<Half>(lanes);
 }
-[[gnu::always_inline]] inline Half mirrored(const Half& x) { return both(lane(x, 1), lane(x, 0)); }
-[[gnu::always_inline]] inline Half first_lane(const Half& x) { return both(lane(x, 0), 0.0); }
 
 // Types of this file's own, so that instances for one instruction set stay apart from those for another.
 template <class Real>
 struct Bars : BarStation<Real> {};
 struct FoldedBars : BarStation<Half> {
   static constexpr bool kFolded = true;
+  [[gnu::always_inline]] static Half first_lane(const Half& x) { return both(lane(x, 0), 0.0); }
+  [[gnu::always_inline]] static Half mirrored(const Half& x) { return both(lane(x, 1), lane(x, 0)); }
 };
 template <class Real, ChainSector::Kind kKind>
 struct Shell : ShellStation<Real, kKind> {};

@@ -72,7 +72,7 @@ void start_from_rest(const SectorNumbers<Real>& sector, int contacts, int statio
     const Real root = cbrt(force / (static_cast<double>(contacts) * cosine * constant));
     Real widest = gap(i, 0);
     for (int k = 1; k < stations; ++k) widest = fe::largest(widest, Real(gap(i, k)));
-    if constexpr (fe::kFolded<Station>) widest = fe::largest(widest, mirrored(widest));
+    if constexpr (fe::kFolded<Station>) widest = fe::largest(widest, Station::mirrored(widest));
     for (int k = 0; k < stations; ++k) records[k].contact[i].net_approach = root * root + (widest - gap(i, k));
     shift[i] = sector.sense * (root * root + widest) / cosine;
   }
@@ -93,7 +93,7 @@ void solve_sectors(const SectorNumbers<Real>& sector, int contacts, const Statio
   start_from_rest(sector, contacts, station.stations, records, force, gap);
   fe::Chain<Real, Station, Law> chain(station, law, station.stations, records);
   Real load = sector.sense * force;
-  if constexpr (fe::kFolded<Station>) load = first_lane(load);
+  if constexpr (fe::kFolded<Station>) load = Station::first_lane(load);
   fe::ChainSummary<Real> summary = chain.solve(load, force, options);
   const Real compliance = sector.free_length / sector.plain_screw_rigidity + sector.offset_compliance;
   summary.energy -= 0.5 * compliance * force * force;

@@ -13,8 +13,8 @@ using Eigen::Index;
 constexpr double kRounding = 1e-10;
 constexpr int kMostChanges = 100;
 
-/// Reactions of the touching nodes and, last, the rigid motion; one column for each right-hand side in `gaps` (u of the
-/// nodes without reactions) and `forces` (their axial resultants).
+/// Reactions of the touching nodes and, last, the rigid motion; one column for each right-hand side
+/// in `gaps` (u of the nodes without reactions) and `forces` (their axial resultants).
 Eigen::MatrixXd reactions(const Eigen::MatrixXd& nodes, const ThrustFace::Touching& touching,
                           const Eigen::MatrixXd& gaps, const Eigen::RowVectorXd& forces) {
   const auto count = static_cast<Index>(touching.size());

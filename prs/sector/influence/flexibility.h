@@ -112,8 +112,8 @@ struct BodyGeometry {
   /// Whether the screw is threaded beyond its rollers, as a standard one is; an inverted one is plain before them, at
   /// the pitch diameter.
   bool endless_screw = false;
-  /// Whether rows and columns of unit forces along the flanks follow those of the normal ones, for the contacts of each
-  /// interface.
+  /// Whether rows and columns of unit forces along the flanks follow those of the normal ones, for
+  /// the contacts of each interface.
   bool friction = false;
 
   double pitch() const { return grooves.roller.pitch; }
@@ -270,8 +270,8 @@ std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges);
 /// Nodes at which a nut is held.
 std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut);
 
-/// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights of its mean sideways
-/// displacement, 1/2 (U - V).
+/// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights
+/// of its mean sideways displacement, 1/2 (U - V).
 Eigen::VectorXd transverse_force(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section);
 
 }  // namespace prs

@@ -64,8 +64,8 @@ double half_space_remainder(const HertzPatch& patch, const Material& material, d
 
 namespace {
 
-/// Ends of cells from `from` to `to`, the first cell about `first` long, the others growing up to `largest`; both ends
-/// included.
+/// Ends of cells from `from` to `to`, the first cell about `first` long, the others growing up to
+/// `largest`; both ends included.
 std::vector<double> graded(double from, double to, double first, double growth, double largest) {
   const double length = std::abs(to - from);
   std::vector<double> ends{0.0};
@@ -282,8 +282,8 @@ double outer_radius(const GroovedShape& s, double z) {
   return s.far_radius;
 }
 
-/// Columns and layers of a body's grid. Layers are counted from the profile: those that follow it, then those of the
-/// core.
+/// Columns and layers of a body's grid. Layers are counted from the profile: those that follow it,
+/// then those of the core.
 struct Layers {
   std::vector<double> z;      ///< Positions of the columns.
   std::vector<double> share;  ///< Shares of the distance from profile to base, for layers that follow the profile.

@@ -7,8 +7,6 @@
 namespace prs {
 namespace {
 
-/// Largest number of loads for which the touching part of the shoulder is found; each changes the next only little.
-constexpr int kMostRounds = 10;
 constexpr double kNominalPressure = 0.02;  ///< Peak pressure over E*.
 
 using Eigen::Index;
@@ -206,32 +204,23 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
   const auto contacts = static_cast<Eigen::Index>(gaps_.screw.size());
   Eigen::MatrixXd joined = joined_;
   ContactSolution s = prs::solve(problem(joined, turned), force);
-  std::vector<fe::NewtonIteration> history = s.history;
-  if (face_ && s.converged()) {
-    ThrustFace::Touching touching = touching_;
-    bool settled = false;
-    for (int round = 0; round < kMostRounds && s.converged(); ++round) {
-      Eigen::VectorXd loads = Eigen::VectorXd::Zero(of_one());
-      loads.head(contacts) = s.normal_load.tail(contacts);
-      if (turned.along.size() > 0) {
-        loads.tail(contacts) = loads.head(contacts).cwiseProduct(turned.across.tail(contacts));
-        loads.head(contacts).array() *= turned.along.tail(contacts).array();
-      }
-      const auto now = face_->touching_under(loads, touching);
-      settled = now == touching;
-      if (settled || !now) break;
-      joined.block(of_one(), of_one(), of_one(), of_one()) +=
-          rollers_ * (face_->flexibility(*now) - face_->flexibility(touching));
-      touching = *now;
-      s = prs::solve(problem(joined, turned), force);
-      history.insert(history.end(), s.history.begin(), s.history.end());
+  const auto nut_loads = [&] {
+    Eigen::VectorXd loads = Eigen::VectorXd::Zero(of_one());
+    loads.head(contacts) = s.normal_load.tail(contacts);
+    if (turned.along.size() > 0) {
+      loads.tail(contacts) = loads.head(contacts).cwiseProduct(turned.across.tail(contacts));
+      loads.head(contacts).array() *= turned.along.tail(contacts).array();
     }
-    if (s.converged() && !settled) s.status = fe::NewtonStatus::iteration_limit;
-  }
+    return loads;
+  };
+  if (face_)
+    settle_on_shoulder(*face_, touching_, s, nut_loads, [&](const Eigen::MatrixXd& change) {
+      joined.block(of_one(), of_one(), of_one(), of_one()) += rollers_ * change;
+      s = prs::solve(problem(joined, turned), force);
+    });
 
   LoadDistribution d;
   d.solve = s;
-  d.solve.history = std::move(history);
   for (const Interface i : kInterfaces) {
     const Eigen::Index first = i == Interface::screw ? 0 : contacts;
     for (Eigen::Index k = first; k < first + contacts; ++k) {
@@ -269,17 +258,13 @@ InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts, 
                                  Direction direction, double position, MatrixCache& cache, bool friction) {
   BodyGeometry geometry = influence_geometry(c, contacts, laws, direction);
   geometry.friction = friction;
-  try {
+  return meshed_or_refused([&]() -> InfluenceSolver {
     const BodyFlexibilities bodies =
         body_flexibilities(geometry, direction, position, flexibility_options(c.model.accuracy), cache);
     return {bodies, contacts.mechanism.rollers, laws,
             initial_gaps(contacts.mechanism, c.deviations, *c.materials,
                          {laws.screw.normal_angle, laws.nut.normal_angle}, direction)};
-  } catch (const std::invalid_argument& reason) {
-    throw CaseError("model.bodies", fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
-                                                "the geometry",
-                                                reason.what()));
-  }
+  });
 }
 
 bool influence_is_kept(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include "prs/sector/influence/flexibility.h"
 #include "prs/threads/contacts.h"
 
@@ -125,6 +127,35 @@ class InfluenceSolver {
   std::optional<ThrustFace> face_;
   ThrustFace::Touching touching_;  ///< State under equal loads, to which `joined_` belongs.
 };
+
+/// Goes on from a solution with part `touching` of the nut's shoulder to one whose loads push on the part that it has.
+/// `loads()`: those of the nut at the solution; `solve(change)`: the next solution, with this change of the nut's
+/// flexibility.
+template <class Loads, class Solve>
+void settle_on_shoulder(const ThrustFace& face, ThrustFace::Touching touching, fe::NewtonSummary& solution, Loads loads,
+                        Solve solve) {
+  constexpr int kMostRounds = 10;  // Each changes the next only little.
+  for (int round = 0; round < kMostRounds && solution.converged(); ++round) {
+    const auto now = face.touching_under(loads(), touching);
+    if (now == touching) return;
+    if (!now) break;
+    std::vector<fe::NewtonIteration> history = std::move(solution.history);
+    solve(face.flexibility(*now) - face.flexibility(touching));
+    touching = *now;
+    solution.history.insert(solution.history.begin(), history.begin(), history.end());
+  }
+  if (solution.converged()) solution.status = fe::NewtonStatus::iteration_limit;
+}
+
+/// What `mesh` makes of bodies; CaseError where they cannot be meshed.
+template <class Mesh>
+auto meshed_or_refused(Mesh mesh) try {
+  return mesh();
+} catch (const std::invalid_argument& reason) {
+  throw CaseError("model.bodies", fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
+                                              "the geometry",
+                                              reason.what()));
+}
 
 /// Inputs from which the bodies of a case are computed.
 BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,

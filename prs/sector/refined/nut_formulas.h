@@ -6,7 +6,8 @@
 #include "prs/model/model_options.h"
 #include "prs/model/part.h"
 
-/// Formulas of the nut as a shell for a number or a batch of numbers: one nut per lane. See nut_shell.h.
+/// Formulas of the nut as a shell for a number or a batch of numbers: one nut per lane. See
+/// nut_shell.h.
 namespace prs {
 
 /// Properties that nuts side by side share.

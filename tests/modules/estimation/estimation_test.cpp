@@ -344,7 +344,7 @@ TEST(Estimation, WhereTheFunctionHasNoAnswerStepsAreTakenBack) {
 }
 
 TEST(Estimation, ASearchThatIsDrawnToWhereARowHasNoAnswerNamesTheRow) {
-  Bench b = line();  // Its least squares are at 2.03.
+  Bench b = line();  // The least squares are at 2.03.
   b.model = [](const auto& u, std::size_t, double x) { return u[0] < 3.0 && x > 3.5 ? std::nan("") : u[0] * x; };
   const Result r = b.solved();
   EXPECT_EQ(r.status, Status::iteration_limit);

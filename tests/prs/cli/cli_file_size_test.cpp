@@ -84,8 +84,8 @@ TEST_P(FileSizeLimit, IsToldAndLeavesWholeFilesOnly) {
     EXPECT_EQ(limited.status, 1);
     EXPECT_THAT(limited.err, HasSubstr("cannot write '"));
     for (const auto& [name, content] : files_in(folder)) {
-      if (name.ends_with(".journal")) continue;  // The same command continues it.
-      if (name == prs::kFileList) {              // It lists the written files.
+      if (name.ends_with(".journal")) continue;  // Another run of the command continues it.
+      if (name == prs::kFileList) {              // The list names the written files.
         EXPECT_TRUE(nlohmann::json::accept(content)) << content;
         continue;
       }

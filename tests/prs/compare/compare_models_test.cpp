@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "prs/bodies/body_models.h"
 #include "prs/compare/compare_analysis.h"
 #include "prs/compare/compare_models.h"
 #include "prs/input/reader.h"
@@ -29,7 +30,7 @@ std::vector<Bodies> models_of(const ModelComparison& c) {
 TEST(CompareModels, EachIsWhatSolveFinds) {
   const Case c = compared_lesson("04_contacts_from_geometry.yaml");
   const ModelComparison comparison = compare_models(c);
-  EXPECT_THAT(models_of(comparison), ElementsAre(Bodies::bars, Bodies::refined));
+  EXPECT_THAT(models_of(comparison), ElementsAre(&kBars, &kRefined));
   for (const Result& model : comparison.models) {
     Case alone = c;
     alone.model.bodies = model.model.bodies;
@@ -54,7 +55,7 @@ TEST(CompareModels, BarsAreTooStiffForLessonOne) {
 TEST(CompareModels, WhatOneModelCannotTakeLeavesItOutWithTheReason) {
   const ModelComparison c =
       compare_models(compared_lesson("04_contacts_from_geometry.yaml", {"structure.nut.outer_diameter=35.2 mm"}));
-  EXPECT_THAT(models_of(c), ElementsAre(Bodies::bars));
+  EXPECT_THAT(models_of(c), ElementsAre(&kBars));
   EXPECT_THAT(
       sentences(c.warnings),
       testing::Contains(testing::StartsWith("structure.nut.outer_diameter: without `bodies: refined`: got 35.2")));
@@ -62,7 +63,7 @@ TEST(CompareModels, WhatOneModelCannotTakeLeavesItOutWithTheReason) {
 
 TEST(CompareModels, ShearOfTheRollerIsOfBarsAlone) {
   EXPECT_THAT(models_of(compare_models(compared_lesson("04_contacts_from_geometry.yaml", {"model.roller_shear=true"}))),
-              ElementsAre(Bodies::bars, Bodies::refined));
+              ElementsAre(&kBars, &kRefined));
 }
 
 TEST(CompareModels, TellsWhatIsUnusualAboutALoadAsSolveDoes) {
@@ -94,13 +95,13 @@ TEST(CompareModels, InfluenceIsThereWhereItsMatricesAre) {
                                           "load_cases=[{axial_force: 5 kN, direction: tension, "
                                           "position: 40 mm}]"};
   const Case c = compared_lesson("04_contacts_from_geometry.yaml", fewer);
-  EXPECT_THAT(models_of(compare_models(c)), ElementsAre(Bodies::bars, Bodies::refined));
+  EXPECT_THAT(models_of(compare_models(c)), ElementsAre(&kBars, &kRefined));
   Case stated = c;
-  stated.model.bodies = Bodies::influence;
-  EXPECT_THAT(models_of(compare_models(stated)), ElementsAre(Bodies::bars, Bodies::refined, Bodies::influence));
+  stated.model.bodies = &kInfluence;
+  EXPECT_THAT(models_of(compare_models(stated)), ElementsAre(&kBars, &kRefined, &kInfluence));
   const int computed = shared_matrix_cache().computed();
   const ModelComparison now = compare_models(c);
-  EXPECT_THAT(models_of(now), ElementsAre(Bodies::bars, Bodies::refined, Bodies::influence));
+  EXPECT_THAT(models_of(now), ElementsAre(&kBars, &kRefined, &kInfluence));
   EXPECT_EQ(shared_matrix_cache().computed(), computed);
 }
 

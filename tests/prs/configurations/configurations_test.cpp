@@ -208,9 +208,9 @@ TEST(RollerSpacing, AsManyFitAsTheCrestsLeaveRoomFor) {
   }
 }
 
-/// Height [m], modulo the pitch, by which the crest of roller i at its place misses the groove of a body there. Crests
-/// z = l theta/(2 pi), grooves half a pitch higher; the roller is turned by `turn` as seen from its place and faces the
-/// screw with its inner side.
+/// Height [m], modulo the pitch, by which the crest of roller i at its place misses the groove of a
+/// body there. Crests z = l theta/(2 pi), grooves half a pitch higher; the roller is turned by
+/// `turn` as seen from its place and faces the screw with its inner side.
 double mismatch(const Configuration& c, Part body, int i, int rollers, double turn) {
   const double place = 2 * pi * i / rollers, psi = place + turn;
   const double facing = body == Part::screw ? place + pi : place;

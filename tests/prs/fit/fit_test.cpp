@@ -363,8 +363,8 @@ TEST(FitCase, OfTwoTorquesThatActAlikeOnlyASumIsTold) {
   EXPECT_THAT(fit_analysis().table(r), HasSubstr("told: carrier.screw_torque + "));
 }
 
-/// Lesson 34 with a softer blow, its play and friction unknown. Readings are numbers of runs with the truth, at times
-/// between the samples of the case itself, backwards.
+/// Lesson 34 with a softer blow, its play and friction unknown. Readings are numbers of runs with the
+/// truth, at times between the samples of the case itself, backwards.
 input::Source reversal(const std::string& fit, const std::vector<std::string>& overrides = {}) {
   std::ifstream in(PRS_SOURCE_DIR "/configs/34_reversal.yaml");
   input::Source source{.name = "reversal.yaml", .text = {std::istreambuf_iterator<char>(in), {}}, .overrides = {}};

@@ -136,7 +136,7 @@ TEST(Heat, TemperaturesOfRandomMechanismsAreThoseOfAPlainIteration) {
     Case c = test::random_slip(random);
     if (c.operation->slip_ratio) continue;
     if (i % 3 == 0) {
-      c.friction = Friction{.model = Friction::Model::mixed, .mixed = {.boundary = 0.12}};
+      c.friction = friction_by(contact::Mixed<PerInterface<double>>{at_both(0.12)});
       c.roughness = PerPart<double>{0.2e-6, 0.2e-6, 0.2e-6};
     }
     Lubricant& oil = *c.lubricant;
@@ -486,7 +486,7 @@ TEST(HeatCycle, NeitherLongStepsNorLightPartsEndIt) {
 }
 
 TEST(HeatCycle, PeaksBetweenTheStepsCount) {
-  // As the rest begins the rollers are hotter than the screw and warm it on for a while.
+  // At the start of the rest the rollers are hotter than the screw and warm it for a while.
   Case c = with_duty(test::with_coulomb(two_loads(warm_reference()), 0.08),
                      {acting("pull", 30.0), acting("return", 20.0), rest(300.0)});
   c.lubricant.reset();

@@ -48,7 +48,7 @@ TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
   EXPECT_TRUE(rows_of("# nothing").empty());
 }
 
-/// As German spreadsheets write them.
+/// Numbers as in German spreadsheets.
 TEST(CsvReader, ReadsDecimalCommasBetweenSemicolonsAndTabs) {
   EXPECT_EQ(rows_of("\xEF\xBB\xBFZeit;Kraft [kN]\r\n0,5;1.234,5\r\n-12.000;+3,25e-3\r\n"),
             (Rows{{"Zeit", "Kraft [kN]"}, {"0.5", "1234.5"}, {"-12000", "+3.25e-3"}}));

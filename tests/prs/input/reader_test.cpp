@@ -133,19 +133,19 @@ TEST(ReadCase, OneFlankAngleOrOneForEachPart) {
 TEST(ReadCase, FrictionMayBeWrittenInThreeWays) {
   for (const char* text : {"{coulomb: 0.11}", "{model: {coulomb: 0.11}}"}) {
     const Case c = read(kAbevi, {std::string("friction=") + text});
-    EXPECT_EQ(c.friction->model, Friction::Model::coulomb) << text;
+    EXPECT_EQ(c.friction->kind, contact::kind_of<contact::Coulomb>) << text;
     EXPECT_EQ(c.friction->coefficient, at_both(0.11)) << text;
   }
   const std::vector<std::string> each = {"friction={coulomb: {screw: 0.12, nut: 0.08}}"};
   EXPECT_EQ(read(kAbevi, each).friction->coefficient, (PerInterface<double>{0.12, 0.08}));
-  EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->model, Friction::Model::jacod);
+  EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->kind, contact::kind_of<contact::Jacod>);
   EXPECT_DOUBLE_EQ(read(kAbevi, {"wear={coefficient: 2e-8 mm^3/(N m)}"}).wear->coefficient, 2e-17);
   for (const char* text :
        {"friction={model: {mixed: {boundary: 0.12}}}", "friction={mixed: {boundary: 0.12, exponent: 2}}"}) {
     const Friction mixed = *read(kAbevi, {text}).friction;
-    EXPECT_EQ(mixed.model, Friction::Model::mixed);
-    EXPECT_EQ(mixed.mixed.boundary, 0.12);
-    EXPECT_EQ(mixed.mixed.exponent, 2.0);
+    EXPECT_EQ(mixed.kind, contact::kind_of<contact::Mixed>);
+    EXPECT_EQ(mixed.boundary, at_both(0.12));
+    EXPECT_EQ(mixed.exponent, at_both(2.0));
   }
 }
 

@@ -460,8 +460,9 @@ TEST(PreloadedLife, ShortensWithThePreload) {
   }
 }
 
-/// One thread on each flank. At rest the screw's side carries the preload P on either flank, the roller floats, so that
-/// the nut's carries P tan(psi_S)/tan(psi_N); beyond the opening one flank carries the force.
+/// One thread on each flank. At rest the screw's side carries the preload P on either flank, the
+/// roller floats, so that the nut's carries P tan(psi_S)/tan(psi_N); beyond the opening one flank
+/// carries the force.
 TEST(PreloadedLife, OfOneThreadIsThatOfFourContacts) {
   const double p = 3e3, f = 60e3;
   const LifeResult r = analyze_life(life_case(

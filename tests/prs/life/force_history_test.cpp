@@ -113,7 +113,7 @@ TEST(ForceHistory, RefusesRowsWiderThanTheHeading) {
   EXPECT_THAT(parse("t,load,n,more\n0,1,2\n1,5,2,\n").force, ElementsAre(1e3, 5e3));
 }
 
-/// As German spreadsheets write the same history.
+/// Same history, as German spreadsheets write it.
 TEST(ForceHistory, ReadsDecimalCommas) {
   EXPECT_THAT(parse("t;load;n\r\n0;1.000,5;2,5\r\n1;2;3\r\n").force, ElementsAre(1000.5e3, 2e3));
 }

@@ -158,7 +158,7 @@ TEST(Analyze, RollersThatOverlapAtTheirCrestsAreAnErrorOfTheCase) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("got 12; expected at most 11"));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("mechanism.thread.roller"));
   }
-  EXPECT_THROW(checked_mechanism(c), CaseError);  // As for studies.
+  EXPECT_THROW(checked_mechanism(c), CaseError);  // Function used for studies.
   c.mechanism.thread.roller = ThreadHeight{0.15e-3, 0.4e-3};
   EXPECT_NO_THROW(checked_contacts(c, Detail::numbers));
   EXPECT_NO_THROW(checked_mechanism(c));
@@ -330,8 +330,8 @@ TEST(Analyze, ScrewsTooSoftForTheEffectOfPoissonsRatioHaveNoStiffness) {
   EXPECT_THAT(sentences(soft.warnings), ::testing::Contains(::testing::StartsWith("model.refined.poisson: ")));
 }
 
-/// 1e-5 mm of interference is more than rounding and reads as a number: with flanks of 45 deg in the normal plane the
-/// play falls by 2/cos(beta) times the centre distance, beta 4.33 deg.
+/// 1e-5 mm of interference is more than rounding and reads as a number: with flanks of 45 deg in
+/// the normal plane the play falls by 2/cos(beta) times the centre distance, beta 4.33 deg.
 TEST(Contacts, ASmallInterferenceIsToldInItsOwnDigits) {
   Case c = lesson("01_config_1_to_3.yaml");
   c.mechanism.centre_distance = *c.mechanism.centre_distance - 0.5e-8;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_figures.h"
 #include "prs/output/files.h"
 #include "support/drawn.h"
 #include "support/sample_slip.h"

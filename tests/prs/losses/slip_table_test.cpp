@@ -1,4 +1,4 @@
-#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_table.h"
 
 #include <gtest/gtest.h>
 

@@ -208,7 +208,7 @@ TEST(Measures, FrictionOfAContactIsNotThatOfTheMechanism) {
   Case c = abevi();
   EXPECT_TRUE(measures(c).efficiency);
   c.measures->friction_coefficient.reset();
-  c.friction = Friction{Friction::Model::coulomb, at_both(0.01)};
+  c.friction = friction_by(contact::Coulomb{at_both(0.01)});
   EXPECT_FALSE(measures(c).efficiency);
 }
 

@@ -85,7 +85,7 @@ TEST(Buckling, JohnsonTouchesEulerAtHalfTheYieldStrength) {
   };
   EXPECT_NEAR(load(limit, kYield) / (0.5 * kArea * kYield), 1.0, 1e-13);
   EXPECT_NEAR(load(limit, {}) / (0.5 * kArea * kYield), 1.0, 1e-13);
-  // The same slope on both sides: the parabola leaves the hyperbola by second order only.
+  // Equal slopes on both sides: the parabola leaves the hyperbola by second order only.
   const double step = 1e-4;
   const double apart = load(limit * (1.0 - step), {}) / load(limit * (1.0 - step), kYield) - 1.0;
   EXPECT_GT(apart, 0.0);

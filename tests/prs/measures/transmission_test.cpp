@@ -10,6 +10,7 @@
 
 #include "prs/measures/measures_analysis.h"
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_at_speed.h"
 #include "tests/support/slips.h"
 
 namespace prs {

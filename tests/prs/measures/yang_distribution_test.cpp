@@ -145,7 +145,8 @@ std::vector<double> yang_loads(const test::SectorCase& c, double force) {
 }
 
 TEST(YangDistribution, IsTheSectorModelWhoseRollerTeethAreBalls) {
-  // At both ends of the nut, in its middle, and with threads inside a flange or about the thrust section.
+  // At both ends of the nut, in its middle, and with threads inside a flange or about the thrust
+  // section.
   for (const double position : {1e-3, 4e-3, 29.1666667e-3, 54.3333333e-3})
     for (const double thrust : {0.0, 10e-3, 45e-3, 80e-3, 90e-3})
       for (const Direction direction : {Direction::tension, Direction::compression}) {

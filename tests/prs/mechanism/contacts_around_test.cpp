@@ -1,4 +1,4 @@
-#include "prs/mechanism/full_influence.h"
+#include "prs/mechanism/contacts_around.h"
 
 #include <gtest/gtest.h>
 

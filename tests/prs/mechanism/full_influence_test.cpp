@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/mechanism/full_model.h"
+#include "prs/mechanism/full_structure.h"
 #include "prs/sector/sector_model.h"
 #include "support/coarse_bodies.h"
 #include "support/sanitized.h"

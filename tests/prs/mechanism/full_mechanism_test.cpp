@@ -14,7 +14,7 @@
 #include "prs/loads/full_result.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/mechanism/full_distribution.h"
-#include "prs/mechanism/full_model.h"
+#include "prs/mechanism/full_structure.h"
 #include "prs/sector/sector.h"
 #include "prs/threads/contacts.h"
 #include "support/count.h"
@@ -71,7 +71,7 @@ TEST(FullMechanism, AgreesWithAnIndependentProgram) {
     SCOPED_TRACE(reference_case.at("name").get<std::string>());
     const Case c = case_of(reference_case);
     json wanted = reference_case.at("result");
-    // That program keeps the moment of an eccentric force constant: 1/C_xx. Its own compliance contains the rest.
+    // The other program keeps the moment of an eccentric force constant: 1/C_xx. Its own compliance contains the rest.
     if (const Lateral& e = c.load_cases[0].spatial.eccentricity; e.y != 0.0 || e.z != 0.0) {
       const json& row = wanted.at("screw_end").at("compliance_SI").at(0);
       ASSERT_EQ(row.size(), 5u);
@@ -371,7 +371,7 @@ TEST(FullMechanism, TheComplianceOfTheScrewsEndIsTheDerivative) {
   expect_derivatives(c, solve(model_of(c)), 1e-5);
 }
 
-/// It connects the rings, here on the screw: without it, the screw tilts by 0.3 % more.
+/// An idle roller connects the rings, here on the screw: without it, the screw tilts by 0.3 % more.
 TEST(FullMechanism, AnIdleRollerStillHoldsTheRingsTogether) {
   Case c = symmetric_case();
   c.structure->roller.rings.carrier = Rings::Carrier::screw;

@@ -23,7 +23,7 @@ struct RefinedScrew {
   RefinedScrew() {
     parts.mechanism.centre_distance = 14e-3;
     parts.options.mechanism = ModelOptions::Mechanism::full;
-    parts.options.bodies = ModelOptions::Bodies::refined;
+    parts.options.bodies = &kRefined;
     parts.structure.roller.rings.carrier = Rings::Carrier::nut;
     load.axial_force = 45e3;
     load.direction = Direction::tension;
@@ -100,8 +100,8 @@ RefinedScrew with_oval_diameters() {
   return screw;
 }
 
-/// Another program, bars and shells of n = 2 to 5 without twist: 560/567 N to 605/616, 508/524 to 490/509, 495/509 to
-/// 461/480. Here the nut is a round shell besides, which is softer.
+/// Another program, bars and shells of n = 2 to 5 without twist: 560/567 N to 605/616, 508/524 to
+/// 490/509, 495/509 to 461/480. Here the nut is a round shell besides, which is softer.
 TEST(FullRefined, AnOvalNutLoadsUnequalRollersOtherwise) {
   const auto expect = [](RefinedScrew screw, double at_screw, double at_nut) {
     screw.parts.options.refined = {false, false, true, false, false, false, false};

@@ -9,11 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "prs/bodies/body_models.h"
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_analysis.h"
+#include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/linearised.h"
 #include "prs/mechanism/modes.h"
 #include "support/count.h"
@@ -314,8 +316,8 @@ TEST(Motion, APositionIsTheStaticCaseThere) {
 }
 
 TEST(Motion, APositionIsTheStaticCaseThereOnOtherBodies) {
-  for (const auto bodies : {ModelOptions::Bodies::refined, ModelOptions::Bodies::influence}) {
-    if (bodies == ModelOptions::Bodies::influence && !test::thorough()) continue;
+  for (const auto bodies : {&kRefined, &kInfluence}) {
+    if (bodies == &kInfluence && !test::thorough()) continue;
     Case c = screw(Mechanism::Type::standard);
     c.model.bodies = bodies;
     add_errors(c, 5);

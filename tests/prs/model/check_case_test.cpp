@@ -1,4 +1,5 @@
 #include "prs/model/check_case.h"
+#include "prs/bodies/body_models.h"
 #include "prs/model/motor_duty.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +56,7 @@ TEST(CheckCase, OnlyBarsTakeTheThicknessOfThreads) {
   Case c = abevi_case();
   c.mechanism.thread.roller = ThreadHeight{0.2e-3, 0.2e-3, 0.8e-3};
   EXPECT_EQ(paths(check_case(c)), "");
-  c.model.bodies = ModelOptions::Bodies::refined;
+  c.model.bodies = &kRefined;
   EXPECT_EQ(paths(check_case(c)), "mechanism.thread.roller.thickness");
 }
 
@@ -80,8 +81,7 @@ Case with_bodies(ModelOptions::Bodies bodies) {
 }
 
 TEST(CheckCase, AShoulderMustMeetAFaceOfTheNut) {
-  using enum ModelOptions::Bodies;
-  for (const auto bodies : {refined, influence}) {
+  for (const auto bodies : {&kRefined, &kInfluence}) {
     Case c = with_bodies(bodies);
     c.structure->nut.shoulder = {0.050, 0.062};
     EXPECT_EQ(paths(check_case(c)), "");
@@ -100,32 +100,30 @@ TEST(CheckCase, AShoulderMustMeetAFaceOfTheNut) {
 }
 
 TEST(CheckCase, ThreadedWallsMustCarry) {
-  using enum ModelOptions::Bodies;
-  Case c = with_bodies(influence);
+  Case c = with_bodies(&kInfluence);
   c.structure->screw.bore = 0.0195;
   EXPECT_EQ(paths(check_case(c)), "structure.screw.bore");
-  c.model.bodies = refined;
+  c.model.bodies = &kRefined;
   EXPECT_EQ(paths(check_case(c)), "");
   c.structure->screw.bore = 0.0204;
   EXPECT_EQ(paths(check_case(c)), "structure.screw.bore");
-  c.model.bodies = bars;
+  c.model.bodies = &kBars;
   EXPECT_EQ(paths(check_case(c)), "");
 
-  c = with_bodies(influence);
+  c = with_bodies(&kInfluence);
   c.structure->nut.flanges.clear();
   c.structure->nut.thrust = {.tension = 0.0, .compression = 0.090};
   c.structure->nut.outer_diameter = 0.0365;
   EXPECT_EQ(paths(check_case(c)), "structure.nut.outer_diameter");
-  c.model.bodies = refined;
+  c.model.bodies = &kRefined;
   EXPECT_EQ(paths(check_case(c)), "");
   c.structure->nut.outer_diameter = 0.0353;
   EXPECT_EQ(paths(check_case(c)), "structure.nut.outer_diameter");
 }
 
 TEST(CheckCase, WallsUnderFlangesMustCarry) {
-  using enum ModelOptions::Bodies;
   for (const bool stated : {false, true}) {
-    Case c = with_bodies(refined);
+    Case c = with_bodies(&kRefined);
     if (stated)
       for (const Part part : kParts) c.mechanism.thread[part] = ThreadHeight{0.25e-3, 0.30e-3};
     const auto paths_at = [&](double diameter) {
@@ -139,10 +137,10 @@ TEST(CheckCase, WallsUnderFlangesMustCarry) {
     EXPECT_EQ(paths_at(0.03533), path);
     EXPECT_EQ(paths_at(0.03534), "");
     EXPECT_EQ(paths_at(0.036), "");
-    c.model.bodies = bars;
+    c.model.bodies = &kBars;
     EXPECT_EQ(paths_at(0.0351), "");
     // A mesh needs 0.42 of it below the roots.
-    c.model.bodies = influence;
+    c.model.bodies = &kInfluence;
     const double root = stated ? 0.30e-3 : 0.23 * 5e-3 / 3, least = 0.42 * 5e-3 / 3;
     EXPECT_EQ(paths_at(0.035 + 2.0 * (root + least) - 1e-5), path);
     EXPECT_EQ(paths_at(0.035 + 2.0 * (root + least) + 1e-5), "");
@@ -150,25 +148,23 @@ TEST(CheckCase, WallsUnderFlangesMustCarry) {
 }
 
 TEST(CheckCase, TeethMustHaveHeightAndFlanksThatHaveNotMet) {
-  using enum ModelOptions::Bodies;
-  Case c = with_bodies(influence);
+  Case c = with_bodies(&kInfluence);
   c.mechanism.thread.roller = ThreadHeight{0.01e-3, 0.30e-3};
   EXPECT_EQ(paths(check_case(c)), "mechanism.thread.roller.addendum");
   c.mechanism.thread.roller = ThreadHeight{0.25e-3, 0.45e-3};
   EXPECT_EQ(paths(check_case(c)), "mechanism.thread.roller.dedendum");
-  c.model.bodies = bars;
+  c.model.bodies = &kBars;
   EXPECT_EQ(paths(check_case(c)), "");
 }
 
 TEST(CheckCase, OptionsOfOtherBodiesAreRefused) {
-  using enum ModelOptions::Bodies;
-  Case c = with_bodies(influence);
+  Case c = with_bodies(&kInfluence);
   c.mechanism.rollers = 1;
   EXPECT_EQ(paths(check_case(c)), "mechanism.rollers");
   c.mechanism.rollers = 2;
   c.model.roller = ModelOptions::Roller::rigid_bending;
   EXPECT_EQ(paths(check_case(c)), "model.roller");
-  c.model.bodies = refined;
+  c.model.bodies = &kRefined;
   EXPECT_EQ(paths(check_case(c)), "");
   c.model.roller_shear = true;
   EXPECT_EQ(paths(check_case(c)), "model.roller_shear");
@@ -266,16 +262,16 @@ TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
   c.load_cases.pop_back();
   c.friction = Friction{};
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant operation");
-  c.friction->model = Friction::Model::mixed;
+  c.friction->kind = contact::kind_of<contact::Mixed>;
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant roughness operation");
-  c.friction->model = Friction::Model::coulomb;
+  c.friction->kind = contact::kind_of<contact::Coulomb>;
   c.load_cases[0].speed = 40.0;
   EXPECT_EQ(paths(missing(c, Command::slip)), "");
 }
 
 TEST(CheckRequirements, ScrewOrLoadMayDriveAndAFilmHoldsNothingAtRest) {
   Case c = abevi_case();
-  c.friction = Friction{Friction::Model::coulomb, at_both(0.1)};
+  c.friction = friction_by(contact::Coulomb{at_both(0.1)});
   for (const double lead : {0.005, -0.005})
     for (const double speed : {40.0, -40.0}) {
       c.mechanism.lead = lead;
@@ -299,7 +295,7 @@ TEST(CheckRequirements, ScrewOrLoadMayDriveAndAFilmHoldsNothingAtRest) {
 TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
   Case c = abevi_case();
   c.load_cases.pop_back();
-  c.friction = Friction{Friction::Model::coulomb, at_both(0.1)};
+  c.friction = friction_by(contact::Coulomb{at_both(0.1)});
   c.operation = Operation{40.0, {}};
   c.carrier.bearing = HeadBearing{{0.004, 0.005, 15e-6}};
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant");
@@ -483,7 +479,7 @@ TEST(CheckRequirements, PreloadNeedsPartsAndOneDimensionalBodies) {
   c.mechanism = abevi_case().mechanism;
   EXPECT_EQ(paths(missing(c, Command::preload)), "preload materials structure");
   c = two_nuts();
-  c.model.bodies = ModelOptions::Bodies::influence;
+  c.model.bodies = &kInfluence;
   EXPECT_EQ(paths(missing(c, Command::preload)), "model.bodies");
   EXPECT_EQ(paths(missing(c, Command::check)), "");
 }

@@ -90,7 +90,7 @@ TEST(Optimizer, ConstrainedFrontOfBinhAndKorn) {
     return y[1] - ((t - 5.0) * (t - 5.0) + (u - 5.0) * (u - 5.0));
   };
   const Distance d = distance(result.search, excess);
-  EXPECT_LT(d.mean, 0.1);  // Of 46.
+  EXPECT_LT(d.mean, 0.1);  // Range: 46.
   EXPECT_LT(of_front(result.search, 0).front(), 0.5);
   EXPECT_NEAR(of_front(result.search, 0).back(), 136.0, 1.5);
   for (const std::size_t k : result.search.front) {

@@ -210,7 +210,7 @@ TEST(Preload, WithoutTheirLoopTwoNutsAreTheTwoSpringsOfTextbooks) {
 /// The Abevi screw in CONFIG 1 to 3, bars and refined.
 std::vector<PreloadCase> real_cases(Arrangement arrangement) {
   std::vector<PreloadCase> cases;
-  for (const auto bodies : {ModelOptions::Bodies::bars, ModelOptions::Bodies::refined})
+  for (const auto bodies : {&kBars, &kRefined})
     for (const double position : {54.3333333e-3, 29.1666667e-3, 4e-3}) {
       test::SectorCase c = test::abevi();
       c.options.bodies = bodies;
@@ -218,7 +218,7 @@ std::vector<PreloadCase> real_cases(Arrangement arrangement) {
       cases.push_back(preloaded(c, arrangement));
     }
   test::SectorCase rings = test::abevi();
-  rings.options.bodies = ModelOptions::Bodies::refined;
+  rings.options.bodies = &kRefined;
   rings.options.roller_contacts = ModelOptions::RollerContacts::half_pitch_apart;
   cases.push_back(preloaded(rings, arrangement));
   return cases;
@@ -285,7 +285,7 @@ TEST_P(Arrangements, TheCurveIsContinuousAndItsSlopeIsTheTangent) {
 /// In the refined CONFIG 3 the nut's last threads keep the rollers wedged under any tension.
 bool opens(const PreloadCase& p, PreloadSolver& solver, Direction d) {
   const bool opens = solver.opening_force(d).has_value();
-  EXPECT_TRUE(opens || p.c.options.bodies == ModelOptions::Bodies::refined);
+  EXPECT_TRUE(opens || p.c.options.bodies == &kRefined);
   return opens;
 }
 
@@ -439,8 +439,8 @@ TEST(AnalyzePreload, LostMotionIsTheTravelBetweenBothSensesOfItsLoad) {
   EXPECT_EQ(by_default.curve.points.size(), 41u);
 }
 
-/// Beyond the play all threads share a small load, and the approach is that of Hertz alone: the travel grows as its
-/// 2/3rd power, the stiffness as its cube root.
+/// Beyond the play all threads share a small load, and the approach is that of Hertz alone: the
+/// travel grows as its 2/3rd power, the stiffness as its cube root.
 TEST(AnalyzePreload, LostMotionOfSmallLoadsIsThePlayAndHertzApproach) {
   const auto travel = [](const std::string& load) {
     const PreloadResult r = analyze_preload(

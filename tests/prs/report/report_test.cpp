@@ -46,7 +46,7 @@ std::string malformed(const std::string& page) {
       at = end;
       continue;
     }
-    if (text.starts_with("<script")) {  // Its text is not HTML.
+    if (text.starts_with("<script")) {  // The text of a script is not HTML.
       at = page.find("</script>", at) + 8;
       continue;
     }

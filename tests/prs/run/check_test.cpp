@@ -248,7 +248,7 @@ TEST(Check, WarningsNameTheKey) {
       for (const Json& load_case : document.value("load_cases", Json::array()))
         for (const Json& warning : load_case["warnings"]) warnings.push_back(warning);
       for (const std::string& warning : warnings) {
-        if (warning.starts_with("overridden by ")) continue;  // It names its keys later in the text.
+        if (warning.starts_with("overridden by ")) continue;  // The warning names its keys later in the text.
         const std::string key = warning.substr(0, warning.find(": "));
         EXPECT_THAT(key, testing::MatchesRegex("[a-z_]+[][0-9a-z_.]*")) << lesson << ": " << warning;
       }

@@ -138,7 +138,7 @@ TEST(WrittenCandidate, MarksWhatTheRequirementLeavesToDefaults) {
   EXPECT_FALSE(has("modification_factor"));
 }
 
-/// Its duty names load cases, of which only the largest are solved for the warnings of the case.
+/// The duty names load cases, of which only the largest are solved for the warnings of the case.
 TEST(WrittenCandidate, HeatHidesNoAssumption) {
   const SizeResult result = size_screws(read_requirement(input::source_of_text(
       "need.yaml", kPress + "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}}\n",

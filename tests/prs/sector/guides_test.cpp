@@ -115,7 +115,7 @@ TEST(Guides, WithoutClearanceAreTheRing) {
 TEST(Guides, BeyondEveryDisplacementAreNone) {
   SectorCase c = test::abevi();
   c.laws.screw.normal_angle = c.laws.nut.normal_angle = 45.0 * test::kDegree;
-  for (const auto bodies : {ModelOptions::Bodies::bars, ModelOptions::Bodies::refined}) {
+  for (const auto bodies : {&kBars, &kRefined}) {
     c.options.bodies = bodies;
     c.structure.roller.guidance = {Guidance::Kind::ring, 2e7, 1e-3};
     SectorSolver loose(c.build());

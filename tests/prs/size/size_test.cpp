@@ -186,17 +186,16 @@ TEST(Size, WrittenCaseOfARunningScrewDoesToo) {
 
 /// Friction as a word, as blocks of a law, and heads that need no film.
 TEST(Size, WrittenCaseHasTheFrictionOfItsRequirement) {
-  using Law = Friction::Model;
-  for (const auto& [text, law] :
-       {std::pair{"friction: {model: jacod}\n", Law::jacod}, std::pair{"friction: {coulomb: 0.05}\n", Law::coulomb},
-        std::pair{"friction: {mixed: {boundary: 0.1}}\n", Law::mixed},
-        std::pair{"friction: {coulomb: 0.05}\n"
-                  "carrier: {bearing: {diameter: 7 mm, friction: {coulomb: 0.1}}}\n",
-                  Law::coulomb}}) {
+  for (const auto& [text, law] : {std::pair{"friction: {model: jacod}\n", contact::kind_of<contact::Jacod>},
+                                  std::pair{"friction: {coulomb: 0.05}\n", contact::kind_of<contact::Coulomb>},
+                                  std::pair{"friction: {mixed: {boundary: 0.1}}\n", contact::kind_of<contact::Mixed>},
+                                  std::pair{"friction: {coulomb: 0.05}\n"
+                                            "carrier: {bearing: {diameter: 7 mm, friction: {coulomb: 0.1}}}\n",
+                                            contact::kind_of<contact::Coulomb>}}) {
     const SizeResult r = sized(of_one(std::string(kMotion).append("stroke: 650 mm\n").append(text)));
     const std::string written = written_candidate(r.input, r.candidates.front());
     const Case c = input::read_case_text(written, "screw.yaml", {}, Command::slip);
-    EXPECT_EQ(c.friction->model, law) << written;
+    EXPECT_EQ(c.friction->kind, law) << written;
     EXPECT_EQ(c.carrier.bearing.has_value(), std::string_view(text).find("bearing") != std::string_view::npos);
   }
 }
@@ -224,7 +223,7 @@ TEST(Size, CandidatesWithoutTheObjectiveComeLast) {
   EXPECT_EQ(r.candidates[2].name, "39x10");
 }
 
-/// As German makers print and spreadsheets write them.
+/// A catalogue as German makers print and spreadsheets write it.
 TEST(Size, ReadsAMakersCatalogueWithDecimalCommas) {
   const auto first = [](const char* csv, std::vector<Warning>& warnings) {
     SizeInput in = read(
@@ -475,7 +474,7 @@ SizeResult sized_with(std::string_view text, const char* csv) {
   return size_screws(read_requirement(source));
 }
 
-// The same screw as a row and as a design.
+// Same screw as a row and as a design.
 TEST(SizeBasis, OneScrewHasOneSetOfNumbers) {
   const std::string both = std::string(kPressing) +
                            "candidates: {catalogue: {file: own.csv}, designs: {screw_diameter: 30 mm, lead: 10 mm, "

@@ -1,4 +1,5 @@
 #include "prs/slip/running.h"
+#include "prs/bodies/body_models.h"
 
 #include <gtest/gtest.h>
 
@@ -163,7 +164,7 @@ void expect_balance(const LoadCaseResult& r, int rollers) {
 }
 
 TEST(RunningLoads, AreInBalance) {
-  for (const auto bodies : {ModelOptions::Bodies::bars, ModelOptions::Bodies::refined})
+  for (const auto bodies : {&kBars, &kRefined})
     for (const Direction d : {Direction::tension, Direction::compression})
       for (const double sense : {1.0, -1.0}) {
         Case c = with(running(base()), 0.1, 5.0 * sense);
@@ -187,11 +188,10 @@ TEST(RunningLoads, OfMeshedBodiesAreThoseOfAnyOther) {
     at.model.bodies = bodies;
     return solved(at).threads->screw.running_over_static.value() - 1.0;
   };
-  using enum ModelOptions::Bodies;
-  EXPECT_NEAR(growth(1e-9, influence, 1.0), 0.0, 1e-8);
-  EXPECT_NEAR(growth(2e-4, influence, 1.0) / growth(1e-4, influence, 1.0), 2.0, 1e-3);
+  EXPECT_NEAR(growth(1e-9, &kInfluence, 1.0), 0.0, 1e-8);
+  EXPECT_NEAR(growth(2e-4, &kInfluence, 1.0) / growth(1e-4, &kInfluence, 1.0), 2.0, 1e-3);
   for (const double sense : {1.0, -1.0}) {
-    EXPECT_NEAR(growth(0.1, influence, sense) / growth(0.1, refined, sense), 1.0, 0.2);
+    EXPECT_NEAR(growth(0.1, &kInfluence, sense) / growth(0.1, &kRefined, sense), 1.0, 0.2);
     Case heavy = with(c, 0.1, 5.0 * sense);
     for (const Part p : kParts) (*heavy.materials)[p].density = 7800.0;
     expect_balance(solved(heavy), 11);

@@ -13,6 +13,9 @@
 #include "contact/film.h"
 #include "contact/patch.h"
 #include "prs/model/problems.h"
+#include "prs/slip/slip_at_speed.h"
+#include "prs/slip/slip_pictures.h"
+#include "prs/slip/slip_warnings.h"
 #include "prs/threads/kinematics.h"
 #include "tests/support/count.h"
 #include "tests/support/sanitized.h"
@@ -552,7 +555,7 @@ TEST(Slip, ADrivenCarrierPassesTheIdealSlipRatio) {
   expect_as_plain(c, result, 1e-10);
 }
 
-/// As in experiment 11 of Sandu 2018, section 2.2.3: slightly above the ideal one.
+/// Slightly above the ideal slip ratio, as in experiment 11 of Sandu 2018, section 2.2.3.
 TEST(Slip, AnImposedSlipRatioMayPassTheIdealOne) {
   for (const auto& [type, slip_ratio] :
        {std::pair{Mechanism::Type::standard, 0.3742}, {Mechanism::Type::inverted, 0.4155}}) {
@@ -603,8 +606,8 @@ TEST(Slip, DiametersOffTheRatioOfTheGearsSlide) {
   }
 }
 
-/// A roller whose pitch is d too long runs ahead by n_S d per turn of the carrier against the geared part; a nut whose
-/// pitch is d too long travels l + epsilon n_S d per turn.
+/// A roller whose pitch is d too long runs ahead by n_S d per turn of the carrier against the geared part; a
+/// nut whose pitch is d too long travels l + epsilon n_S d per turn.
 TEST(Slip, UnequalPitchesMakeRollersMigrate) {
   for (const bool standard : {true, false})
     for (const double hand : {1.0, -1.0}) {

@@ -91,8 +91,8 @@ TEST(StudyStatistics, NothingWithoutDesigns) {
   EXPECT_EQ(s.surfaces->reason, "0 designs with all responses do not determine 3 coefficients");
 }
 
-// Of 200,000 values 0, 1, .. a third is kept. The share of kept values below a quantile scatters by
-// sqrt(p (1 - p) / 65,536) <= 0.002.
+// A third of 200,000 values 0, 1, .. is kept. The share of kept values below a quantile scatters by sqrt(p (1 - p) /
+// 65,536) <= 0.002.
 TEST(StudyStatistics, QuantilesOfManyDesignsComeFromPartOfThem) {
   SKIP_UNDER_SANITIZERS();
   constexpr std::size_t kDesigns = 200'000;

@@ -41,9 +41,10 @@ const char* const kResponses[] = {"axial_displacement_um",
                                   "contact.screw.first_directions_angle_deg",
                                   "contact.nut.ellipticity"};
 
-/// Studies of standard and inverted screws of either hand, straight, convex and concave profiles in both planes, by
-/// their radii or by their backlash, of bars and of refined bodies, with and without heights, deviations and springs of
-/// teeth. Not all designs have contacts on their flanks, nor a wall around the nut.
+/// Studies of standard and inverted screws of either hand, straight, convex and concave profiles in
+/// both planes, by their radii or by their backlash, of bars and of refined bodies, with and
+/// without heights, deviations and springs of teeth. Not all designs have contacts on their flanks,
+/// nor a wall around the nut.
 class RandomStudies {
  public:
   explicit RandomStudies(std::uint64_t seed)

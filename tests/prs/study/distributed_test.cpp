@@ -67,7 +67,7 @@ TEST_F(Distributed, KilledRankEndsTheJobAndAnyNumberOfRanksContinues) {
   ASSERT_GT(rank, 0);
   ::kill(rank, SIGKILL);
   EXPECT_NE(job.wait(), 0);
-  ASSERT_TRUE(fs::exists(journal));  // It was not done yet.
+  ASSERT_TRUE(fs::exists(journal));  // The study was not done yet.
   EXPECT_FALSE(fs::exists(folder / "study.csv"));
 
   ASSERT_EQ(test::Process(on_ranks(3, study(file, folder))).wait(), 0);

@@ -32,7 +32,7 @@ input::StudyInput study_of_base(const input::Source& source, Command command) {
 bool has_columns(const Case& c, Command command) {
   const bool equal = !c.load_cases.empty() && c.load_cases[0].share == LoadCase::Share::equal;
   if (command == Command::slip) return equal && !c.heat;
-  return command == Command::solve && !equal && c.model.bodies == ModelOptions::Bodies::bars &&
+  return command == Command::solve && !equal && c.model.bodies == &kBars &&
          c.model.mechanism == ModelOptions::Mechanism::sector && c.model.loads == ModelOptions::Loads::at_rest;
 }
 
@@ -78,7 +78,7 @@ TEST(EveryResponse, OfEveryLessonIsTheSameInAStudyAndInTheDocument) {
     SCOPED_TRACE(path.filename().string());
     const input::Source source = input::load_source(path.string(), {});
     const input::CaseInput in = input::read_case_input(source, Command::check);
-    if (in.values.model.bodies == ModelOptions::Bodies::influence) continue;
+    if (in.values.model.bodies == &kInfluence) continue;
     for (const AnyAnalysis& analysis : analyses()) {
       if (std::ranges::find(kChains, analysis.command) == std::end(kChains)) continue;
       if (!input::missing(in, analysis.command).empty()) continue;

@@ -104,7 +104,7 @@ TEST(IdleFactors, OfDrawnPlansAreFoundByPairsOfDesigns) {
     const Respond product = [](const std::vector<double>& x) { return std::vector{x[0] * x[2], 1.0}; };
     EXPECT_THAT(idle_drawn(study, product, &designs), ElementsAre(1));
     EXPECT_EQ(designs, 12u);                          // Four designs for each factor that varies.
-    EXPECT_THAT(idle_of(study, product), IsEmpty());  // Its own designs do not show it.
+    EXPECT_THAT(idle_of(study, product), IsEmpty());  // The plan's own designs do not show it.
   }
 }
 

@@ -140,8 +140,8 @@ TEST(KilledStudy, OfTheProgramItselfToo) {
   const test::TemporaryDirectory input;
   const fs::path file = input.path() / "study.yaml";
   test::write_study_file(file, 3000);
-  // Without the search for leaks, which other runs of the program have: LeakSanitizer itself fails ("Tracer caught
-  // signal 11") in some of many runs whose threads are just ending.
+  // Without the search for leaks, which other runs of the program have: LeakSanitizer itself fails
+  // ("Tracer caught signal 11") in some of many runs whose threads are just ending.
   const auto program = [&](const fs::path& folder) -> Words {
     return {"/usr/bin/env",  "ASAN_OPTIONS=detect_leaks=0",
             test::program(), "study",

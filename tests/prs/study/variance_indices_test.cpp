@@ -100,7 +100,7 @@ TEST(VarianceIndices, OfIshigamisFunction) {
   EXPECT_EQ(result.factors[2].factor, 2U);
 }
 
-// Of 200 intervals at 95 %, fewer than 178 hold the truth once in 10,000 times.
+// Probability that fewer than 178 of 200 intervals at 95 % hold the truth: one in 10,000.
 TEST(VarianceIndices, IntervalsHoldTheTruthAsOftenAsTheySay) {
   const Ishigami truth;
   const Coverage c = coverage(ishigami, truth.first, truth.total, 200, 1024);
@@ -108,7 +108,7 @@ TEST(VarianceIndices, IntervalsHoldTheTruthAsOftenAsTheySay) {
     EXPECT_GE(c.first[i], 178) << i;
     EXPECT_GE(c.total[i], 178) << i;
   }
-  EXPECT_LT(c.first[0] + c.first[1] + c.total[0] + c.total[1], 800);  // They do not always hold it.
+  EXPECT_LT(c.first[0] + c.first[1] + c.total[0] + c.total[1], 800);  // Some intervals do not hold it.
 }
 
 /// Sobol's g-function, a product of (|4 u - 2| + a) / (1 + a).

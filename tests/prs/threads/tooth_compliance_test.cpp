@@ -15,9 +15,9 @@ using std::numbers::pi;
 
 const Material kSteel{209e9, 0.3, {}};
 
-/// A tooth of straight flanks cut in slices from the crest's side of the load to the root, each bent as a plate (plane
-/// strain) and sheared with 6/5, under a load along the axis at the pitch line and the moment of the flank's radial
-/// component.
+/// A tooth of straight flanks cut in slices from the crest's side of the load to the root, each
+/// bent as a plate (plane strain) and sheared with 6/5, under a load along the axis at the pitch
+/// line and the moment of the flank's radial component.
 struct Slices {
   double bending = 0.0;
   double shear = 0.0;

@@ -92,8 +92,9 @@ TEST(JungTables, OneStiffnessOfTheTeethAndOneLoadGiveBothTables) {
   EXPECT_EQ(missed, 0);
 }
 
-/// Without any recipe: E/k less (3.8) and (3.17) with the lead as pitch and tan 45 deg is the same number for all ten
-/// printed stiffnesses, within their rounding and the 1.5e-4 by which Hertz's term changes.
+/// Without any recipe: E/k less (3.8) and (3.17) with the lead as pitch and tan 45 deg is the same
+/// number for all ten printed stiffnesses, within their rounding and the 1.5e-4 by which Hertz's
+/// term changes.
 TEST(JungTables, PrintedStiffnessesHoldTheRadialTermsWithTheLead) {
   constexpr double kModulus = 2.1e5, kPoisson = 0.3, kLead = 10.0;  // MPa, mm
   const std::array<Diameters, 10> rows = case_1();
@@ -242,8 +243,8 @@ TEST(JungFits, NewFitsGiveThePrintedCoefficients) {
   }
 }
 
-/// At the unrounded volumes (7.8) to (7.10) meet their table to 5e-5, 2e-5 and 8e-6 of it; at the printed ones (7.8)
-/// misses by up to 6.5 N/mm.
+/// At the unrounded volumes (7.8) to (7.10) meet their table to 5e-5, 2e-5 and 8e-6 of it; at the
+/// printed ones (7.8) misses by up to 6.5 N/mm.
 TEST(JungFits, MeetTheirTableAtUnroundedVolumesOnly) {
   const ValidationTable deviations = fit_tables(thesis()).front();
   EXPECT_LT(deviations.rows[0].values[0], 0.54);

@@ -45,7 +45,7 @@ TEST(StandardScrewReference, ModelsAreThisFarFromFiniteElements) {
                       {"refined", false, 0.9693, 0.315},   {"refined", true, 0.9742, 0.446},
                       {"influence", false, 0.9934, 0.047}, {"influence", true, 0.9937, 0.045}};
   for (const Gap& gap : gaps) {
-    // It takes seconds.
+    // This case takes seconds.
     if (gap.flange_at_end && std::string(gap.bodies) == "influence" && !test::thorough()) continue;
     SCOPED_TRACE(std::string(gap.bodies) + (gap.flange_at_end ? ", flange at the end" : ", flange in the middle"));
     const json& wanted = reference[gap.flange_at_end ? "flange at the end" : "flange in the middle"]["limit"];

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "prs/bodies/body_models.h"
 #include "prs/input/reader.h"
 #include "prs/model/problems.h"
 #include "tests/support/count.h"
@@ -20,7 +21,6 @@ namespace prs::reference_fe {
 namespace {
 
 using ::testing::HasSubstr;
-using enum ModelOptions::Bodies;
 using RollerContacts = ModelOptions::RollerContacts;
 
 const std::filesystem::path kFolder = PRS_SOURCE_DIR "/validation/reference_fe";
@@ -36,7 +36,7 @@ const Case& screw() {
 }
 
 const std::vector<Curve>& bar_curves() {
-  static const std::vector<Curve> curves = computed_curves(screw(), bars, reference());
+  static const std::vector<Curve> curves = computed_curves(screw(), &kBars, reference());
   return curves;
 }
 
@@ -208,10 +208,10 @@ TEST(ComputedCurves, OfBarsAreThoseOfTheScript) {
 TEST(ComputedCurves, NeedAsManyThreadsAndTheCasesByTheirNames) {
   Case fewer = screw();
   fewer.mechanism.contacts_per_roller = 19;
-  EXPECT_THROW(computed_curves(fewer, bars, reference()), CaseError);
+  EXPECT_THROW(computed_curves(fewer, &kBars, reference()), CaseError);
   Case renamed = screw();
   renamed.load_cases[3].name = "compression";
-  EXPECT_THROW(computed_curves(renamed, bars, reference()), CaseError);
+  EXPECT_THROW(computed_curves(renamed, &kBars, reference()), CaseError);
 }
 
 // Statements.
@@ -295,7 +295,7 @@ TEST(FidelityStatements, TheErrorBarIsThatOfTheDocument) {
 // Models.
 
 TEST(Fidelities, RefinedStaysWithinItsPromise) {
-  const auto curves = computed_curves(screw(), refined, reference());
+  const auto curves = computed_curves(screw(), &kRefined, reference());
   const Summary s = summary(curves, reference(), everywhere);
   EXPECT_EQ(s.unsolved, 0);
   EXPECT_LE(std::abs(s.farthest_stiffness().value), kRefinedError.stiffness) << name(s.farthest_stiffness().setup);
@@ -306,7 +306,7 @@ TEST(Fidelities, RefinedStaysWithinItsPromise) {
 TEST(Fidelities, InfluenceIsWithinBothErrorBarsOfTheReference) {
   SKIP_UNDER_SANITIZERS();
   const auto curves = at_full_load([](const auto& setup) { return test::count(0, 1) == 1 || setup == kExample; });
-  const Summary s = summary(computed_curves(screw(), influence, curves), curves, everywhere);
+  const Summary s = summary(computed_curves(screw(), &kInfluence, curves), curves, everywhere);
   EXPECT_EQ(s.unsolved, 0);
   EXPECT_LE(std::abs(s.farthest_stiffness().value), kJoint.stiffness) << name(s.farthest_stiffness().setup);
   EXPECT_LE(s.worst_loads.value, kJoint.load_rate) << name(s.worst_loads.setup);

@@ -29,7 +29,7 @@ TEST(ChainSolver, AgreesWithSparseSolverOnRefinedCases) {
     for (const auto contacts :
          {ModelOptions::RollerContacts::opposite, ModelOptions::RollerContacts::half_pitch_apart}) {
       SectorCase refined = c.sector;
-      refined.options.bodies = ModelOptions::Bodies::refined;
+      refined.options.bodies = &kRefined;
       refined.options.roller_contacts = contacts;
       const Sector sector = refined.build();
       ChainSolver chain(sector);
@@ -43,7 +43,7 @@ TEST(ChainSolver, AgreesWithSparseSolverForSingleEffects) {
   for (int effect = 0; effect < 7; ++effect)
     for (const bool others : {false, true}) {
       SectorCase c = test::abevi();
-      c.options.bodies = ModelOptions::Bodies::refined;
+      c.options.bodies = &kRefined;
       bool on[7];
       std::fill(std::begin(on), std::end(on), others);
       on[effect] = !others;

@@ -32,7 +32,7 @@ struct Refined {
 
   /// Adds a case unless it has no place among the columns.
   void add(SectorCase c, double force) {
-    c.options.bodies = ModelOptions::Bodies::refined;
+    c.options.bodies = &kRefined;
     SectorModel s = numbers_of(c);
     if (!RefinedDesignSolver::takes(s)) return;
     sectors.push_back(std::move(s));

@@ -52,8 +52,8 @@ inline prs::LoadDistribution sparse(const prs::Sector& sector, double force) {
   return r;
 }
 
-/// Thread loads to 1e-10 of the largest, displacement to 1e-10, tangent stiffness to `tangent`: it is that of one solve
-/// without refinement.
+/// Thread loads to 1e-10 of the largest, displacement to 1e-10, tangent stiffness to `tangent`: it
+/// is that of one solve without refinement.
 inline void expect_same(const prs::LoadDistribution& expected, const prs::LoadDistribution& r, const std::string& what,
                         double tangent = 1e-8) {
   ASSERT_TRUE(expected.solve.converged()) << what;
@@ -154,7 +154,7 @@ inline std::vector<NamedCase> special_cases() {
 inline SectorCase refined(SectorCase c, std::mt19937_64& random) {
   using Contacts = prs::ModelOptions::RollerContacts;
   const auto mostly = [&] { return std::uniform_int_distribution(0, 3)(random) > 0; };
-  c.options.bodies = prs::ModelOptions::Bodies::refined;
+  c.options.bodies = &prs::kRefined;
   c.options.refined = {mostly(), mostly(), mostly(), mostly(), mostly(), mostly(), mostly()};
   c.options.roller_contacts = mostly() && mostly() ? Contacts::opposite : Contacts::half_pitch_apart;
   return c;

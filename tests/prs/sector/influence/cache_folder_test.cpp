@@ -89,7 +89,7 @@ TEST_F(CacheFolderTest, WhatWasNotUsedForLongestGoesFirst) {
   EXPECT_TRUE(fs::exists(file('a')));
 }
 
-TEST_F(CacheFolderTest, FilesFromTheFutureCountAsOthersDo) {  // As if the clock was set back.
+TEST_F(CacheFolderTest, FilesFromTheFutureCountAsOthersDo) {  // Same as if the clock was set back.
   const auto in_years = [](int years) { return fs::file_time_type::clock::now() + std::chrono::years(years); };
   const CacheFolder small(path, 2 * 4096);
   const fs::path left = file('c').string() + ".4711.0";

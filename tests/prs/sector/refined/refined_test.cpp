@@ -28,7 +28,7 @@ using RollerContacts = ModelOptions::RollerContacts;
 constexpr RefinedEffects kNone{false, false, false, false, false, false, false};
 
 SectorCase refined(SectorCase c, const RefinedEffects& effects = {}) {
-  c.options.bodies = ModelOptions::Bodies::refined;
+  c.options.bodies = &kRefined;
   c.options.refined = effects;
   return c;
 }
@@ -177,8 +177,8 @@ TEST(Refined, BarsOfTheNutDoNotFeelAThinCollarThatCarriesNothing) {
 }
 
 TEST(Refined, RootsUnderACollarLeaveAWall) {
-  // Between the thrust section and the contacts, where all of the load passes: a bar between the roots, 0.30 mm deep,
-  // 0.30 mm less a tenth of a pitch and half of the wall, and the collar.
+  // Between the thrust section and the contacts, where all of the load passes: a bar between the
+  // roots, 0.30 mm deep, 0.30 mm less a tenth of a pitch and half of the wall, and the collar.
   RefinedEffects core = kNone;
   core.core = true;
   const double pitch = 5e-3 / 3, wall[] = {5.5e-3, 0.5e-3, 0.4e-3, 0.2e-3};
@@ -465,7 +465,7 @@ TEST(SectorNumbers, AreAllVisited) {
 TEST(SectorModel, RefinedWithoutEffectsIsBars) {
   SectorCase c = test::abevi();
   const SectorModel bars = c.model();
-  c.options.bodies = ModelOptions::Bodies::refined;
+  c.options.bodies = &kRefined;
   c.options.refined = {false, false, false, false, false, false, false};
   c.options.roller_contacts = ModelOptions::RollerContacts::opposite;
   const SectorModel refined = c.model();

@@ -1,7 +1,7 @@
+#include "modules/estimation/minimise.h"
+
 #include <ceres/ceres.h>
 #include <glog/logging.h>
-
-#include "modules/estimation/fit.h"
 
 namespace modules::fit {
 namespace {
@@ -24,15 +24,15 @@ class Cost : public ceres::CostFunction {
 void keep_quiet() {
   [[maybe_unused]] static const bool is_quiet = [] {
     FLAGS_minloglevel = google::GLOG_FATAL;
-    FLAGS_logtostderr = true;  // Avoids log files.
+    FLAGS_logtostderr = true;  // No files.
     return true;
   }();
 }
 
 }  // namespace
 
-Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
-                 std::vector<double>& z) {
+std::size_t minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
+                     std::vector<double>& z) {
   keep_quiet();
   ceres::Problem problem;
   problem.AddResidualBlock(new Cost(residuals, count, z.size()), nullptr, z.data());
@@ -45,15 +45,13 @@ Minimum minimise(const Residuals& residuals, std::size_t count, const std::vecto
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = roughly ? 12 : 200;
-  options.max_num_consecutive_invalid_steps = 40;  // Number of rows without a result; each at least halves the step.
-  options.function_tolerance = roughly ? 1e-4 : 1e-15;  // The default stops too early.
+  options.max_num_consecutive_invalid_steps = 40;       // Rows without an answer; each halves the step or more.
+  options.function_tolerance = roughly ? 1e-4 : 1e-15;  // Its default stops too early.
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  return {summary.termination_type == ceres::CONVERGENCE, summary.iterations.size()};
+  return summary.iterations.size();
 }
 
 }  // namespace modules::fit
-
-extern "C" __attribute__((visibility("default"))) const modules::fit::FitModule prs_module{{}, modules::fit::solve};

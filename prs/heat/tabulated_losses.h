@@ -1,0 +1,88 @@
+#pragma once
+
+#include "prs/heat/case_losses.h"
+
+namespace prs {
+
+/// Least and greatest of the three coordinates of temperatures in a `LossTable` [K].
+struct TemperatureBox {
+  OfParts least = OfParts::Zero(), greatest = OfParts::Zero();
+
+  void include(const OfParts& coordinates);
+  bool contains(const TemperatureBox& other) const;
+  /// By a tenth of each width and by `margin` [K] to each side.
+  TemperatureBox widened(double margin) const;
+};
+
+/// Coordinates of temperatures of the parts: mean of both oils, screw's oil less nut's, rollers
+/// less that mean [K]. Along a cycle the two differences change little.
+OfParts table_coordinates(const OfParts& temperature);
+
+/// Heat into screw, rollers and nut, power that flows in and power that comes out [W].
+using Flows = Eigen::Matrix<double, 5, 1>;
+
+/// Losses over the temperatures of the parts as polynomials: products of one for each coordinate
+/// through up to nine of Chebyshev's extreme points, on panels of a box that are halved, the worst
+/// one first, until what their last coefficients let expect beyond them, and the difference to
+/// losses off the points, are below `Effort::accuracy` of the panel's largest losses.
+class LossTable {
+ public:
+  /// Nothing is lost.
+  LossTable() = default;
+  /// The same at all temperatures.
+  explicit LossTable(const Losses& constant);
+  using At = std::function<std::optional<Losses>(const OfParts& temperature)>;
+  struct Effort {
+    double accuracy = 0.0;
+    int evaluations = 0;  ///< No panel is halved beyond that many.
+  };
+  /// `by_rollers`: whether the losses depend on the parts' temperatures other than by the oils'.
+  /// What `rough`, nearly the same losses, leaves over takes fewer points. None where `at` has
+  /// none.
+  static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers, const Effort& effort,
+                                       LossTable rough);
+
+  using ByTemperature = Eigen::Matrix<double, 5, 3>;
+  struct Value {
+    Flows value = Flows::Zero();
+    ByTemperature by_temperature = ByTemperature::Zero();  ///< d/d(screw, rollers, nut) [W/K]
+  };
+  Value at(const OfParts& temperature, bool with_slopes = true) const;
+  Flows value_at(const OfParts& temperature) const { return at(temperature, false).value; }
+
+  /// Largest of all panels, as for `Effort::accuracy`.
+  double error() const { return error_; }
+
+ private:
+  struct Panel {
+    TemperatureBox box;
+    std::array<int, 3> points{1, 1, 1};
+    /// Coefficients of Chebyshev's polynomials, the last coordinate fastest.
+    std::vector<Flows> coefficients;
+    std::array<double, 3> last{};  ///< Left out along each coordinate, over the largest losses.
+    double error = 0.0;
+
+    OfParts unit(const OfParts& coordinates) const;
+    void add(const OfParts& coordinates, bool with_slopes, Value& sum) const;
+    void transform(const std::vector<Flows>& values, double largest);
+    /// The coordinate to halve along; none where the panel is good or too narrow.
+    std::optional<int> worst(double accuracy) const;
+  };
+  /// A panel, or where it was halved.
+  struct Node {
+    Panel panel;
+    int along = -1;
+    double halved_at = 0.0;
+    std::size_t below = 0;  ///< The half below, followed by that above.
+  };
+  using Layer = std::vector<Node>;
+
+  std::optional<Panel> fit(const TemperatureBox& box, const At& exact, bool by_rollers, double accuracy,
+                           int& evaluations) const;
+  static const Panel& panel_at(const Layer& layer, const OfParts& coordinates);
+
+  std::vector<Layer> layers_;  ///< Which add up.
+  double error_ = 0.0;
+};
+
+}  // namespace prs

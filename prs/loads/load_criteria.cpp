@@ -1,0 +1,107 @@
+#include "prs/loads/load_criteria.h"
+
+#include <fmt/format.h>
+
+#include "prs/loads/full_result.h"
+#include "prs/loads/load_record.h"
+
+namespace prs {
+namespace {
+
+/// Largest normal load of an interface in the other positions of a turn or a travel [N]; 0 without any.
+double largest_elsewhere(const LoadCaseResult& r, Interface i) {
+  double largest = 0.0;
+  if (!r.full) return largest;
+  if (r.full->orbit && r.full->orbit->converged()) largest = r.full->orbit->loads[i].largest;
+  if (r.full->travel && r.full->travel->converged()) largest = std::max(largest, r.full->travel->loads[i].largest);
+  return largest;
+}
+
+/// Largest pressure of the threads of a load case at an interface, on both flanks and in all positions [Pa].
+std::optional<double> largest_pressure(const Result& result, const LoadCaseResult& r, Interface i) {
+  const auto& named = (*r.threads)[i].peak_pressure;
+  if (named.empty()) return std::nullopt;
+  double largest = std::ranges::max(named);
+  const InterfaceContact& contact = result.contacts.interfaces[i];
+  if (const double elsewhere = largest_elsewhere(r, i); elsewhere > 0.0 && contact.has_hertz())
+    largest = std::max(largest, contact::at_load(contact.hertz, elsewhere).peak_pressure);
+  if (r.other_flank && contact.has_hertz())
+    for (const double load : r.other_flank->threads[i].normal_load)
+      largest = std::max(largest, contact::at_load(contact.hertz, load).peak_pressure);
+  return largest;
+}
+
+/// Stiffness under the largest force.
+FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, const InSeriesOf& in_series) {
+  FoundCriterion found("stiffness", "no load case has one");
+  double largest = 0.0;
+  for (const LoadCaseResult& r : result.load_cases) largest = std::max(largest, std::abs(r.load_case.axial_force));
+  for (std::size_t k = 0; k < result.load_cases.size(); ++k) {
+    const LoadCaseResult& r = result.load_cases[k];
+    if (std::abs(r.load_case.axial_force) < (1.0 - kLimitRounding) * largest) continue;
+    const auto take = [&](std::optional<double> stiffness, std::string_view kind) {
+      if (!stiffness) return;
+      std::string note = fmt::format("largest force{}{}", of.without_preload(), kind);
+      const std::optional<InSeries> others = of.limits.stiffness && in_series ? in_series(k) : std::nullopt;
+      if (others) {
+        found.title = others->title;
+        stiffness = 1.0 / (1.0 / *stiffness + others->compliance);
+      } else if (of.limits.stiffness) {
+        note += ", without the shaft: measures.shaft is missing";
+      }
+      found.take(*stiffness * per_si::newton_per_micrometre, r.load_case.name, note);
+    };
+    // What acts across the axis moves the screw too, and force over displacement may say nothing; a seat
+    // that stands askew does so without any load.
+    const SpatialLoad& spatial = r.load_case.spatial;
+    const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
+    if (!askew) take(r.axial_stiffness, "");
+    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, for something acts across the axis");
+  }
+  return found;
+}
+
+}  // namespace
+
+double rise_elsewhere(const LoadCaseResult& r) {
+  double rise = 1.0;
+  for (const Interface i : kInterfaces) {
+    const double here = r.threads ? std::ranges::max((*r.threads)[i].normal_load) : 0.0;
+    if (here > 0.0) rise = std::max(rise, largest_elsewhere(r, i) / here);
+  }
+  return rise;
+}
+
+FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_rest) {
+  FoundCriterion found("peak_pressure");
+  for (const LoadCaseResult& r : result.load_cases) {
+    if (!r.threads || (at_rest && at_rest->preloaded.contains(r.load_case.name))) continue;
+    for (const Interface i : kInterfaces)
+      if (const auto pressure = largest_pressure(result, r, i))
+        found.take(*pressure * per_si::megapascal, r.load_case.name,
+                   fmt::format("roller-{}{}", name(i), at_rest ? at_rest->without_preload() : ""));
+  }
+  return found;
+}
+
+std::string failed_cases(const Result& result, std::string_view what, bool (*good)(const LoadCaseResult&)) {
+  const auto bad = std::ranges::count_if(result.load_cases, std::not_fn(good));
+  if (bad == 0) return {};
+  return fmt::format("{} of {} of {} load case{}", what, bad, result.load_cases.size(),
+                     result.load_cases.size() == 1 ? "" : "s");
+}
+
+void take_temperatures(FoundCriterion& found, const PerPart<double>& kelvin, std::string_view where) {
+  const PartNumbers t = celsius_of(kelvin);
+  found.take(t.screw, where, "screw");
+  found.take(t.rollers, where, "rollers");
+  found.take(t.nut, where, "nut");
+  found.best.reset();  // Of another part.
+}
+
+std::vector<FoundCriterion> load_criteria(const Result& result, const JudgedCase& of, const InSeriesOf& in_series) {
+  return {pressure_criterion(result, &of), stiffness_under_load(result, of, in_series),
+          convergence(failed_cases(result, "thread loads", [](const LoadCaseResult& r) { return r.converged(); }))};
+}
+
+}  // namespace prs

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+
+#include "prs/loads/result.h"
+#include "prs/model/criterion.h"
+
+namespace prs {
+
+/// Largest normal load of all positions of a turn or a travel over that of the position where the carrier stands.
+double rise_elsewhere(const LoadCaseResult& r);
+
+/// Pressures of load cases, on both flanks and in all positions; of loads at rest without those judged under preload.
+FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_rest = nullptr);
+
+/// `slip of 1 of 3 load cases`, of those that `good` does not hold for; empty without any.
+std::string failed_cases(const Result& result, std::string_view what, bool (*good)(const LoadCaseResult&));
+
+/// Takes the temperatures of the parts [K].
+void take_temperatures(FoundCriterion& found, const PerPart<double>& kelvin, std::string_view where);
+
+/// Compliance of what is in series with the mechanism [m/N], and the title of the sum.
+struct InSeries {
+  std::string_view title;
+  double compliance = 0.0;
+};
+using InSeriesOf = std::function<std::optional<InSeries>(std::size_t load_case)>;
+
+/// Pressure, stiffness and convergence. A limit of the stiffness is that of the drive: what is in series with the
+/// screw counts too.
+std::vector<FoundCriterion> load_criteria(const Result& result, const JudgedCase& of, const InSeriesOf& in_series);
+inline std::vector<FoundCriterion> load_criteria(const Result& result, const JudgedCase& of) {
+  return load_criteria(result, of, {});
+}
+
+}  // namespace prs

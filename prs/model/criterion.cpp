@@ -1,0 +1,57 @@
+#include "prs/model/criterion.h"
+
+#include <cmath>
+
+namespace prs {
+
+std::string_view name(Sense sense) { return sense == Sense::least ? "least" : "greatest"; }
+
+std::string_view name(LimitSource source) {
+  constexpr std::string_view kNames[] = {"case", "physics", "recommended"};
+  return kNames[static_cast<std::size_t>(source)];
+}
+
+std::string_view name(Standing standing) {
+  constexpr std::string_view kNames[] = {"green", "amber", "red", "no_limit", "not_computed", "not_applicable"};
+  return kNames[static_cast<std::size_t>(standing)];
+}
+
+bool CriterionRow::is_worse(double a, double b) const { return sense == Sense::least ? a < b : a > b; }
+
+void FoundCriterion::take(std::optional<double> v, std::string_view load_case, std::string_view what) {
+  if (!v || std::isnan(*v)) return;
+  if (!best || row->is_worse(*best, *v)) best = v;
+  if (value && !row->is_worse(*v, *value)) return;
+  value = v;
+  where = load_case;
+  note = what;
+}
+
+void FoundCriterion::add(const FoundCriterion& other) {
+  const FoundCriterion before = *this;
+  const auto& v = other.value;
+  if (!value || (v && (row->is_worse(*v, *value) || (row->last_of_equal && *v == *value)))) *this = other;
+  best = before.best && (!other.best || row->is_worse(*other.best, *before.best)) ? before.best : other.best;
+  if (!before.why.empty()) why = before.why;
+  if (!physical) physical = before.physical;
+  applies = applies || before.applies;
+  if (!standing || !before.standing) return;
+  standing = std::max(*standing, *before.standing);
+  note = before.note + (before.note.empty() || other.note.empty() ? "" : ", ") + other.note;
+}
+
+FoundCriterion convergence(const std::string& failed) {
+  FoundCriterion found("convergence");
+  found.note = failed;
+  found.standing = failed.empty() ? Standing::green : Standing::red;
+  return found;
+}
+
+std::optional<double> loaded_length(const Case& c) {
+  if (!c.structure || !c.life) return std::nullopt;
+  const Mechanism& m = c.mechanism;
+  return m.type == Mechanism::Type::standard ? c.structure->nut.length
+                                             : m.contacts_per_roller * std::abs(m.lead) / m.starts.screw;
+}
+
+}  // namespace prs

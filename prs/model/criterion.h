@@ -1,0 +1,217 @@
+#pragma once
+
+#include <set>
+
+#include "prs/model/command.h"
+#include "prs/model/limits.h"
+#include "prs/model/units.h"
+
+/// Criteria of the verdict. Each analysis returns what it finds of them (`Analysis::criteria`); the verdict
+/// (prs/run/verdict.h) collects that, orders it by the rows below and holds it against their limits.
+///
+/// Where the case states a limit (`limits`), a criterion is green if the limit is met and red if
+/// it is missed. Where it states none, the criterion is red if physics does not allow the value,
+/// amber if the value falls short of the recommended one, and green otherwise. A criterion without
+/// any of these limits is a plain number. A value that cannot be computed never meets a limit.
+
+namespace prs {
+
+constexpr double kLimitRounding = 1e-9;  ///< Relative, of a value that just meets its limit.
+
+enum class Sense { least, greatest };
+std::string_view name(Sense sense);
+
+enum class LimitSource { stated, physics, recommended };
+std::string_view name(LimitSource source);  ///< As documents have it: `case` for stated.
+
+enum class Standing { green, amber, red, no_limit, not_computed, not_applicable };
+std::string_view name(Standing standing);
+
+/// A criterion as documents name it, and what its value is held against.
+struct CriterionRow {
+  std::string_view name;        ///< Its key in `limits`, where it has one.
+  std::string_view title = {};  ///< `Static safety`; empty of what others follow from, which is not shown.
+  std::string_view unit = {};   ///< Unit of value and limit; empty for ratios and fractions.
+  Sense sense = Sense::least;   ///< Sense of the limit.
+  std::optional<double> Limits::*limit = nullptr;  ///< Limit of the case; `life` has two.
+  double factor = 1.0;                             ///< From SI to the unit.
+  double zero = 0.0;                               ///< Zero of the unit [K].
+  bool is_plain = true;                            ///< Shown without a limit too.
+  std::optional<double> physical = {}, recommended = {};
+  Command needed = {};                        ///< Names what to add where no analysis says anything; none: left out.
+  std::string_view why = {};                  ///< Why there is no value, or what an empty note says.
+  std::string_view before = {};               ///< Words before a note.
+  LimitSource source = LimitSource::physics;  ///< Source of a standing that the analysis gives.
+  bool of_preload = false;                    ///< Without a value where the preload cannot be had.
+  bool of_drive = false;                      ///< Might be worse in a drive that could not be computed.
+  bool last_of_equal = false;                 ///< Which of several equal values is named.
+
+  bool is_worse(double a, double b) const;
+};
+
+/// All criteria in the order in which they are shown. Recommended are a static safety of 1 to 3 by makers, half of the
+/// buckling load and 80 % of the critical speed by catalogues; grease and seals do not last above 120 degC.
+inline constexpr CriterionRow kCriteria[] = {
+    {.name = "life", .title = "Life", .unit = "h", .needed = Command::life},
+    {.name = "static_safety",
+     .title = "Static safety",
+     .limit = &Limits::static_safety,
+     .physical = 1.0,
+     .recommended = 1.5,
+     .needed = Command::measures,
+     .why = "no load whose thread loads are known",
+     .of_preload = true,
+     .last_of_equal = true},
+    {.name = "flank_edge",
+     .title = "Flank's edge",
+     .recommended = 1.0,
+     .needed = Command::measures,
+     .why = "no load whose thread loads are known",
+     .of_preload = true,
+     .last_of_equal = true},
+    {.name = "peak_pressure",
+     .title = "Peak pressure",
+     .unit = "MPa",
+     .sense = Sense::greatest,
+     .limit = &Limits::peak_pressure,
+     .factor = per_si::megapascal,
+     .needed = Command::solve,
+     .why = "no load whose thread loads are known",
+     .of_preload = true,
+     .of_drive = true},
+    {.name = "buckling_safety",
+     .title = "Buckling safety",
+     .limit = &Limits::buckling_safety,
+     .physical = 1.0,
+     .recommended = 2.0,
+     .needed = Command::measures},
+    {.name = "critical_speed_share",
+     .title = "Share of the critical speed",
+     .sense = Sense::greatest,
+     .limit = &Limits::critical_speed_share,
+     .physical = 1.0,
+     .recommended = 0.8,
+     .needed = Command::measures},
+    {.name = "speed_times_diameter",
+     .title = "Speed times diameter",
+     .unit = "mm/min",
+     .sense = Sense::greatest,
+     .limit = &Limits::speed_times_diameter,
+     .factor = 60.0 * per_si::millimetre,
+     .is_plain = false},
+    {.name = "nut_diameter",
+     .title = "Nut diameter",
+     .unit = "mm",
+     .sense = Sense::greatest,
+     .limit = &Limits::nut_diameter,
+     .factor = per_si::millimetre,
+     .is_plain = false},
+    {.name = "nut_length",
+     .title = "Nut length",
+     .unit = "mm",
+     .sense = Sense::greatest,
+     .limit = &Limits::nut_length,
+     .factor = per_si::millimetre,
+     .is_plain = false},
+    {.name = "weight",
+     .title = "Weight",
+     .unit = "kg",
+     .sense = Sense::greatest,
+     .limit = &Limits::weight,
+     .is_plain = false,
+     .needed = Command::measures},
+    {.name = "stiffness",
+     .title = "Axial stiffness",
+     .unit = "N/um",
+     .limit = &Limits::stiffness,
+     .factor = per_si::newton_per_micrometre,
+     .needed = Command::solve},
+    {.name = "efficiency", .title = "Efficiency", .limit = &Limits::efficiency, .needed = Command::slip},
+    {.name = "temperature",
+     .title = "Temperature",
+     .unit = "degC",
+     .sense = Sense::greatest,
+     .limit = &Limits::temperature,
+     .zero = 273.15,
+     .recommended = 120.0,
+     .needed = Command::slip,
+     .last_of_equal = true},
+    {.name = "stroke", .title = "Stroke over the nut's length", .recommended = 1.5},
+    {.name = "film", .title = "Film ratio", .recommended = 1.0, .needed = Command::slip},
+    {.name = "motor_speed", .title = "Motor speed", .unit = "rpm", .sense = Sense::greatest, .is_plain = false},
+    {.name = "motor_torque", .title = "Motor torque", .unit = "N m", .sense = Sense::greatest, .is_plain = false},
+    {.name = "motor_peak_torque",
+     .title = "Motor peak torque",
+     .unit = "N m",
+     .sense = Sense::greatest,
+     .is_plain = false},
+    {.name = "back_driving", .title = "Back driving", .source = LimitSource::stated},
+    {.name = "brake", .title = "Brake", .unit = "N m", .sense = Sense::greatest, .is_plain = false},
+    {.name = "reference", .title = "Deviation over tolerance", .sense = Sense::greatest, .source = LimitSource::stated},
+    {.name = "axial_play", .title = "Axial play of the threads", .unit = "mm"},
+    {.name = "convergence", .title = "Convergence", .why = "all converged", .before = "not converged: "},
+    {.name = "contacts_per_roller", .title = "Contacts per roller", .source = LimitSource::recommended},
+    {.name = "input", .title = "Input"},
+    {.name = "largest_speed", .sense = Sense::greatest, .of_drive = true},        ///< [rad/s]
+    {.name = "largest_compression", .sense = Sense::greatest, .of_drive = true},  ///< [N]
+};
+
+/// The row of a criterion; a name that no row has does not compile.
+struct CriterionKey {
+  consteval CriterionKey(const char* name) : row(std::ranges::find(kCriteria, name, &CriterionRow::name)) {
+    if (row == std::end(kCriteria)) throw "no such criterion";
+  }
+  const CriterionRow* row;
+};
+
+/// What an analysis finds of a criterion: the worst value, or why there is none.
+struct FoundCriterion {
+  FoundCriterion(CriterionKey key) : row(key.row) {}
+  FoundCriterion(CriterionKey key, std::string_view reason) : FoundCriterion(*key.row, reason) {}
+  FoundCriterion(const CriterionRow& of, std::string_view reason) : row(&of), why(reason) {}
+
+  const CriterionRow* row;
+  std::optional<double> value = {}, best = {};  ///< In the unit of the row.
+  std::string where = {}, note = {}, why = {};  ///< Load case of the worst; what limits it; why there is no value.
+  std::string_view title = {}, unit = {};       ///< Other than those of the row.
+  std::optional<double> limit = {};             ///< Stated elsewhere than in `limits`.
+  std::optional<double> physical = {};          ///< Physical limit, where the row has none.
+  std::optional<Standing> standing = {};        ///< Standing that no comparison gives; the limit is then shown alone.
+  bool applies = true;
+
+  /// Takes the worst and the best value. NaN is no value.
+  void take(std::optional<double> v, std::string_view load_case, std::string_view what = {});
+  /// Adds what another analysis finds.
+  void add(const FoundCriterion& other);
+};
+
+/// `thread loads of 1 of 3 load cases` of what did not converge; all of it stands in the verdict.
+FoundCriterion convergence(const std::string& failed);
+
+/// Length of the nut, or of the rollers' threads that travel in an inverted one [m]; none where there is no stroke.
+std::optional<double> loaded_length(const Case& c);
+
+/// A case for which analyses return their criteria.
+struct JudgedCase {
+  const Case& c;
+  Limits limits = {};
+  std::set<std::string> preloaded = {};  ///< Load cases judged under preload: what they have without says nothing.
+
+  /// For values that lack a preload; a play is none.
+  std::string_view without_preload() const { return c.preload && !c.preload->backlash ? ", without the preload" : ""; }
+};
+
+/// A criterion and how it stands to its limit.
+struct Criterion {
+  std::string_view name, title, unit;  ///< See `CriterionRow`.
+  Sense sense = Sense::least;
+  std::optional<double> value = {};  ///< The worst.
+  std::optional<double> best = {};   ///< Best of all load cases, if there are several.
+  std::optional<double> limit = {};
+  std::optional<LimitSource> source = {};
+  Standing standing = Standing::no_limit;
+  std::string load_case = {};  ///< Load case with the worst value.
+  std::string reason = {};     ///< What limits it, or why there is no value.
+};
+
+}  // namespace prs

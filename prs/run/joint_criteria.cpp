@@ -1,0 +1,170 @@
+#include "prs/run/joint_criteria.h"
+
+#include "prs/loads/load_criteria.h"
+#include "prs/losses/slip_criteria.h"
+#include "prs/measures/measures_criteria.h"
+#include "prs/preload/preloaded_mechanism.h"
+
+namespace prs {
+namespace {
+
+constexpr double kTouching = 1e-9 * per_si::millimetre;  ///< Play of threads that touch [mm].
+
+/// Threads that overlap before any load; none where they have no contact.
+std::optional<FoundCriterion> axial_play(const Contacts& contacts) {
+  FoundCriterion found("axial_play");
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    const contact::Thread& body = thread_of(contacts.threads, body_of(i));
+    const std::string at = fmt::format("roller-{}", name(i));
+    if (contact.geometry.point.ok() && contact::same_pitch(body, contacts.threads.roller))
+      found.take(contact.geometry.point.backlash * per_si::millimetre, "", at);
+    if (!contact.clearance) continue;
+    for (const auto& crest : {contact.clearance->body_crest, contact.clearance->roller_crest})
+      if (crest) found.take(2.0 * *crest * per_si::millimetre, "", at + ", at a crest");
+  }
+  if (!found.value) return std::nullopt;
+  found.best.reset();  // At another place.
+  found.limit = 0.0;
+  found.standing = *found.value < -kTouching ? Standing::red : Standing::green;
+  if (found.standing == Standing::red) found.note += ": the threads interfere";
+  return found;
+}
+
+/// A nut with so few threads is no screw that anybody makes; catalogues have 20 contacts and more.
+std::optional<FoundCriterion> few_contacts(const Mechanism& mechanism) {
+  constexpr int kLeast = 8;
+  if (mechanism.contacts_per_roller >= kLeast) return std::nullopt;
+  FoundCriterion found("contacts_per_roller");
+  found.value = mechanism.contacts_per_roller;
+  found.limit = kLeast;
+  found.standing = Standing::amber;
+  found.note = "makers' nuts have more: check the length of the nut";
+  return found;
+}
+
+/// A size of the nut's body: room is left for flanges.
+void take_nut(const Case& c, double Structure::Nut::*size, FoundCriterion& found) {
+  found.why = "add structure";
+  if (c.structure)
+    found.take(c.structure->nut.*size * per_si::millimetre, "",
+               c.structure->nut.flanges.empty() ? "" : "without flanges");
+}
+
+/// What is so many times another quantity.
+FoundCriterion times(CriterionKey key, const FoundCriterion& other, double factor) {
+  FoundCriterion found(key, other.why);
+  if (other.value) found.take(*other.value * factor, other.where, other.note);
+  found.best.reset();
+  return found;
+}
+
+}  // namespace
+
+std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contacts) {
+  FoundCriterion pressure("peak_pressure"), speed("largest_speed", "add operation.speed"),
+      compression("largest_compression"), diameter("nut_diameter"), length("nut_length"),
+      stroke("stroke", "add life.stroke");
+  pressure.physical = kStaticPressureLimit * per_si::megapascal;
+  if (const auto& m = c.materials) {
+    pressure.physical.reset();
+    for (const auto& limit : {static_pressure_limit(m->screw, m->roller), static_pressure_limit(m->nut, m->roller)})
+      if (limit) pressure.physical = std::min(*limit * per_si::megapascal, pressure.physical.value_or(HUGE_VAL));
+  }
+  for (const LoadCase& load : c.load_cases) {
+    if (load.speed) speed.take(std::abs(*load.speed), load.name);
+    if (axial_force_on_nut(load) < 0.0) compression.take(std::abs(load.axial_force), load.name);
+  }
+  if (c.operation) {
+    speed.take(std::abs(c.operation->speed), "", "operation.speed");
+    speed.take(c.operation->largest_speed, "", "operation.largest_speed");
+  }
+  take_nut(c, &Structure::Nut::outer_diameter, diameter);
+  take_nut(c, &Structure::Nut::length, length);
+  if (const auto loaded = loaded_length(c); loaded && c.life->stroke)
+    stroke.take(*c.life->stroke / *loaded, "life.stroke", "life of shorter strokes needs a calculation of its own");
+  std::vector<FoundCriterion> all{pressure, speed, compression, diameter, length, stroke};
+  if (!c.heat) all.push_back({"temperature", "add heat"});
+  for (std::optional<FoundCriterion>& found : std::array{axial_play(contacts), few_contacts(c.mechanism)})
+    if (found) all.push_back(*found);
+  return all;
+}
+
+std::optional<MeasuresResult> warm_measures(const Case& c, const MeasuresResult& measures, const Result* slip) {
+  if (!warms(c.heat) || !slip) return std::nullopt;
+  MeasuresResult warm = measures;
+  for (std::size_t k = 0; k < warm.load_measures.size(); ++k) {
+    Conditions of_case = c;
+    of_case.deviations.temperature = temperature_of(*slip, c, k);
+    if (!of_case.deviations.temperature) return std::nullopt;
+    of_case.load_cases = {c.load_cases[k]};
+    MeasuresResult one = analyze_measures(of_case, measures.analysis.contacts);
+    warm.load_measures[k] = std::move(one.load_measures.front());
+    warm.analysis.load_cases[k] = std::move(one.analysis.load_cases.front());
+  }
+  return warm;
+}
+
+std::optional<PreloadedLoads> loads_under_preload(const Case& c, const Contacts& contacts, const Result* slip) {
+  PreloadedLoads found;
+  found.loads.contacts = contacts;
+  for (std::size_t k = 0; k < c.load_cases.size(); ++k) {
+    const LoadCase& load = c.load_cases[k];
+    if (!has_both_flanks(c, load.share)) continue;
+    Conditions warm = c;
+    if (const auto temperature = slip ? temperature_of(*slip, c, k) : std::nullopt)
+      warm.deviations.temperature = temperature;
+    found.loads.load_cases.push_back(FlankSolver(warm, contacts).solve(load));
+    found.forces.push_back(load.axial_force > 0.0
+                               ? solved_static_forces(warm, contacts, *load.direction, *load.position, load.axial_force)
+                               : StaticForces{});
+  }
+  return found.forces.empty() ? std::nullopt : std::optional(std::move(found));
+}
+
+std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded) {
+  FoundCriterion safety("static_safety"), edge("flank_edge");
+  for (std::size_t k = 0; k < preloaded.forces.size(); ++k) {
+    const auto& [rating, edge_load] = preloaded.forces[k];
+    const LoadCase& load = preloaded.loads.load_cases[k].load_case;
+    if (rating) safety.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", under preload");
+    if (edge_load) edge.take(*edge_load / load.axial_force, load.name, "under preload");
+  }
+  return {pressure_criterion(preloaded.loads), safety, edge,
+          convergence(failed_cases(preloaded.loads, "thread loads under preload",
+                                   [](const LoadCaseResult& r) { return r.converged(); }))};
+}
+
+FoundCriterion buckling_safety(const Case& c, const MeasuresResult& measures, const FoundCriterion& compression,
+                               bool is_unknown) {
+  const auto& load = measures.measures.buckling_load;
+  FoundCriterion found("buckling_safety", !compression.value && !is_unknown ? "no load compresses the screw"
+                                          : lacks_shaft(c)                  ? kAddShaft
+                                          : compression.value
+                                              ? "no buckling load"
+                                              : "no load case compresses the screw, `response` was not computed");
+  found.applies = compression.value || is_unknown;
+  if (!compression.value || !load) return found;
+  found.take(*load / *compression.value, compression.where, compression.note);
+  if (compression.best) found.best = *load / *compression.best;
+  return found;
+}
+
+FoundCriterion critical_speed_share(const Case& c, const MeasuresResult& measures, const FoundCriterion& speed) {
+  const auto& critical = measures.measures.critical_speed;
+  const bool turns = c.mechanism.type == Mechanism::Type::standard;
+  if (speed.value && critical) return times("critical_speed_share", speed, 1.0 / *critical);
+  FoundCriterion found("critical_speed_share", !turns           ? "the screw does not turn"
+                                               : lacks_shaft(c) ? kAddShaft
+                                               : !critical      ? "no critical speed"
+                                                                : std::string_view(speed.why));
+  found.applies = turns;
+  return found;
+}
+
+FoundCriterion speed_times_diameter(const Case& c, const FoundCriterion& speed) {
+  return times("speed_times_diameter", speed,
+               per_si::revolution_per_minute * *c.mechanism.pitch_diameter.screw * per_si::millimetre);
+}
+
+}  // namespace prs

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "prs/slip/slip_model.h"
+
+namespace prs {
+
+/// Film over roughness below which flanks begin to touch, and below which touching flanks carry
+/// most: the usual bounds of lubrication (Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film
+/// Lubrication, 2004, chapter 3).
+inline constexpr double kFullFilm = 3.0, kTouchingFlanks = 1.0;
+
+/// `boundary`, `mixed` or `full film`.
+std::string_view lubrication(double film_ratio);
+
+/// A warning that there is no slip, `where` it was looked for: a contact jams, or nothing balances.
+Warning no_slip(bool jammed, const std::string& where);
+
+/// A warning where the film of a lubricant cannot be compared with the roughness of the flanks.
+std::optional<Warning> unknown_film_ratio(const Conditions& c);
+
+/// Normal loads of a running screw over those at rest: of the largest, and of all threads, which grow by
+/// N = F/(cos psi - mu sin psi) whatever the guides do.
+struct OverStatic {
+  double largest = 1.0, all = 1.0;
+};
+
+/// A warning where friction moves the largest load of screw or nut by much: by what, and on which guidance
+/// that stands.
+std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static);
+
+/// Adds what is worth a warning in the slip of a load case; `model`: of the screw that turns.
+void add_slip_warnings(const Conditions& c, const Contacts& contacts, const SlipModel* model, LoadCaseResult& loaded);
+
+}  // namespace prs
