@@ -51,10 +51,10 @@ void take_nut(const Case& c, double Structure::Nut::*size, FoundCriterion& found
                c.structure->nut.flanges.empty() ? "" : "without flanges");
 }
 
-/// What is so many times another quantity.
-FoundCriterion times(CriterionKey key, const FoundCriterion& other, double factor) {
+/// A value that follows from the worst of another quantity.
+FoundCriterion following(CriterionKey key, const FoundCriterion& other, std::optional<double> value) {
   FoundCriterion found(key, other.why);
-  if (other.value) found.take(*other.value * factor, other.where, other.note);
+  found.take(value, other.where, other.note);
   found.best.reset();
   return found;
 }
@@ -153,7 +153,7 @@ FoundCriterion buckling_safety(const Case& c, const MeasuresResult& measures, co
 FoundCriterion critical_speed_share(const Case& c, const MeasuresResult& measures, const FoundCriterion& speed) {
   const auto& critical = measures.measures.critical_speed;
   const bool turns = c.mechanism.type == Mechanism::Type::standard;
-  if (speed.value && critical) return times("critical_speed_share", speed, 1.0 / *critical);
+  if (speed.value && critical) return following("critical_speed_share", speed, *speed.value / *critical);
   FoundCriterion found("critical_speed_share", !turns           ? "the screw does not turn"
                                                : lacks_shaft(c) ? kAddShaft
                                                : !critical      ? "no critical speed"
@@ -163,8 +163,9 @@ FoundCriterion critical_speed_share(const Case& c, const MeasuresResult& measure
 }
 
 FoundCriterion speed_times_diameter(const Case& c, const FoundCriterion& speed) {
-  return times("speed_times_diameter", speed,
-               per_si::revolution_per_minute * *c.mechanism.pitch_diameter.screw * per_si::millimetre);
+  std::optional<double> value = speed.value;
+  if (value) *value = *value * per_si::revolution_per_minute * *c.mechanism.pitch_diameter.screw * per_si::millimetre;
+  return following("speed_times_diameter", speed, value);
 }
 
 }  // namespace prs
