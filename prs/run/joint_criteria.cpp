@@ -1,5 +1,7 @@
 #include "prs/run/joint_criteria.h"
 
+#include <fmt/format.h>
+
 #include "prs/loads/load_criteria.h"
 #include "prs/losses/slip_criteria.h"
 #include "prs/measures/measures_criteria.h"

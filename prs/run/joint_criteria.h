@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/input/reader.h"
+#include "prs/life/analyze_life.h"
 #include "prs/measures/measures.h"
 #include "prs/model/criterion.h"
 
