@@ -8,9 +8,12 @@
 namespace prs {
 namespace {
 
-/// The two halves of a sector, with whatever multiply-add this file is compiled for.
-#if defined(__SSE4_2__)
+/// The two halves of a sector, with whatever multiply-add this file is compiled for: a type of its own for each
+/// instruction set, as of all that is instantiated here.
+#if defined(__AVX512F__)
 using Half = xsimd::batch<double, xsimd::sse4_2>;
+#elif defined(__FMA__)
+using Half = xsimd::batch<double, xsimd::sse4_1>;
 #else
 using Half = xsimd::batch<double, simd::Baseline>;
 #endif
