@@ -10,7 +10,7 @@ namespace prs {
 struct BodyModel {
   std::string_view name;  ///< Word in files.
   std::string_view help;
-  std::string_view bias;  ///< How far it is known to be off.
+  std::string_view bias = {};  ///< How far it is known to be off; empty: not known.
   std::string_view bias_of_all_rollers = bias;
 
   bool grooves = true;           ///< Threads have roots, walls below them and two contacts on each roller tooth.
