@@ -10,7 +10,7 @@ namespace {
 
 UnknownResult& unknown_result(Result& result, Index j) { return result.unknowns[static_cast<std::size_t>(j)]; }
 
-// What the data tell apart.
+// Identifiability and tests.
 
 Spectrum spectrum_at(const Search& s, const State& state, const Normal& n) {
   const Model& model = s.model;
@@ -61,7 +61,7 @@ void set_factor(const Model& model, const Spectrum& spectrum, Unidentified& d) {
                (d.direction[1] * model.range(b) / spectrum.length[b]);
 }
 
-/// What is named as unidentified is never held at a bound.
+/// Sets values; an unidentified unknown is never held at a bound.
 void set_values(const Search& s, Normal& n, Result& result) {
   std::vector<Index> free;
   for (Index j = 0; j < s.model.count(); ++j) {
@@ -92,7 +92,7 @@ void set_tests(const Search& s, const State& state, Normal& n, Result& result) {
   result.p_value = chi_square_beyond(*result.chi_square, tested_redundancy);
 }
 
-// What is known of them.
+// Deviations.
 
 void set_estimates(const Search& s, const Normal& n, const Covariance& covariance, Result& result) {
   const Model& model = s.model;
@@ -134,14 +134,8 @@ void set_combination(const Search& s, const Covariance* covariance, Unidentified
 
 // Curves.
 
-/// Values and slopes of all curves; empty of those that are not asked for.
-struct Courses {
-  std::vector<VectorXd> values;
-  std::vector<MatrixXd> slopes;
-};
-
 /// Adds the curves that are not fitted; one without an answer leaves the others theirs.
-void add_others(const Search& s, const std::vector<std::size_t>& others, Courses& courses, Result& result) {
+void add_others(const Search& s, const std::vector<std::size_t>& others, State& state, Result& result) {
   std::vector<Request> requests;
   const std::size_t count = s.model.curves.size();
   for (const std::size_t c : others) {
@@ -155,17 +149,17 @@ void add_others(const Search& s, const std::vector<std::size_t>& others, Courses
     if (answers[k].failure) {
       if (!result.failure) result.failure = answers[k].failure;
     } else {
-      courses.values[others[k]] = vector_of(answers[k].values[others[k]]);
+      state.values[others[k]] = vector_of(answers[k].values[others[k]]);
       answered.row(static_cast<Index>(others[k])).setConstant(true);
     }
-  Slopes found = s.function.slopes(s.z, courses.values, answered);
+  Slopes found = s.function.slopes(s.z, state.values, answered);
   if (!found && !result.failure) result.failure = found.failure;
   if (result.failure) result.status = Status::no_equilibrium;
   for (const std::size_t c : others)
     if (found)
-      courses.slopes[c] = std::move(found.by_z[c]);
+      state.slopes.by_z[c] = std::move(found.by_z[c]);
     else
-      courses.values[c].resize(0);
+      state.values[c].resize(0);
 }
 
 void set_band(const Covariance& covariance, const MatrixXd& slopes, double level, CurveResult& curve) {
@@ -226,24 +220,23 @@ void add_uncertainty(Search& s, const Normal& n, Result& result) {
     set_combination(s, has_deviations ? &covariance : nullptr, direction);
 
   const bool everywhere = has_deviations && result.unidentified.empty();
-  const StatePtr state = s.function.with_slopes(s.z);
-  Courses courses{state->values, state->slopes.by_z};
+  State state = *s.function.with_slopes(s.z);
   std::vector<std::size_t> others;
   for (std::size_t c = 0; c < model.curves.size(); ++c)
     if (!model.curves[c].is_fitted && (everywhere || model.problem.curves[c].use == Curve::Use::compare))
       others.push_back(c);
-  if (!others.empty()) add_others(s, others, courses, result);
+  if (!others.empty()) add_others(s, others, state, result);
   for (std::size_t c = 0; c < model.curves.size(); ++c) {
     CurveResult& curve = result.curves[c];
     const Readings& readings = model.curves[c];
-    VectorXd& fitted = courses.values[c];
+    VectorXd fitted = state.values[c];
     if (fitted.size() == 0) continue;
     if (model.problem.curves[c].has_free_mean) fitted.array() += (readings.measured - fitted).mean();
     curve.fitted.assign(fitted.begin(), fitted.end());
     if (has_deviations && (readings.is_fitted || everywhere))
-      set_band(covariance, courses.slopes[c], model.problem.level, curve);
+      set_band(covariance, state.slopes.by_z[c], model.problem.level, curve);
     if (readings.measured.size() > 0) set_residuals(readings, fitted, curve);
-    if (readings.is_fitted) set_weights(s, *state, n, c, curve);
+    if (readings.is_fitted) set_weights(s, state, n, c, curve);
   }
 
   for (const std::size_t j : model.problem.profile)

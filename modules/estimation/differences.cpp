@@ -62,7 +62,7 @@ void set_slope(const Model& model, const Batch::Difference& d, const Answer& one
   if (moves && is_even) slopes.even.push_back(d.j);
 }
 
-/// What moves, more than the rounding between batches does.
+/// Flags the curves that an unknown moves by more than the rounding between batches.
 Mask moves(const Slopes& slopes) {
   Mask all = slopes.change.array() > kNoInfluence;
   for (Index c = 0; c < all.rows(); ++c)

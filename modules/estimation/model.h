@@ -21,7 +21,7 @@ struct Readings {
   double floor = 0.0;  ///< Least estimated deviation.
 };
 
-/// What is constant in a fit. The unknowns are in u: the value, or its logarithm.
+/// Constants of a fit. Unknowns are in u: the value, or its logarithm.
 struct Model {
   const Problem& problem;
   std::vector<Unknown> unknowns;
@@ -33,10 +33,10 @@ struct Model {
   const Unknown& unknown(Index j) const { return unknowns[static_cast<std::size_t>(j)]; }
   double range(Index j) const { return unknown(j).to - unknown(j).from; }
   double u(Index j, double z) const { return unknown(j).from + z * range(j); }
-  /// In the unknown's own unit.
+  /// Value of an unknown in its own unit.
   double value(Index j, double z) const;
   Estimate shown(Index j, const Estimate& of_u) const;
-  /// What is added to the curve.
+  /// Offset of a curve.
   double offset(std::size_t curve, const VectorXd& z) const;
   Request request(const VectorXd& z, std::vector<bool> curves) const;
   /// z + step within the bounds.
@@ -45,7 +45,7 @@ struct Model {
 
 Model model_of(const Problem& problem);
 
-/// Deviations before any fit, by the scatter of the readings.
+/// Deviations before any fit, from the scatter of the readings.
 Spread first_spread(const Model& model);
 
 /// Place of the k-th start, the first that of the problem.

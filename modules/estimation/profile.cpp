@@ -7,6 +7,8 @@ namespace modules::fit {
 namespace {
 
 constexpr double kAtEnd = 1e-5;  // Of the profile's height above its target, in standard deviations.
+constexpr double kFirst = 1.05;  // First place to look at, over where a straight profile ends.
+constexpr int kMostPlaces = 30;
 
 /// The objective where an unknown is held, the others following.
 struct Profile {
@@ -48,9 +50,15 @@ End end_of(Profile& profile, double deviation, double sense) {
     return y;
   };
   const auto is_end = [&](double, double) { return std::abs(y) <= kAtEnd; };
-  std::uintmax_t places = 30;
+  std::uintmax_t places = kMostPlaces;
   try {
-    boost::math::tools::bracket_and_solve_root(height, profile.target * deviation, 1.1, true, is_end, places);
+    double inside = 0.0, below = -profile.target, outside = kFirst * profile.target * deviation;
+    double above = height(outside);
+    for (int k = 0; k < kMostPlaces && above < 0.0; ++k) {
+      inside = outside, below = above;
+      above = height(outside *= kFirst);
+    }
+    boost::math::tools::toms748_solve(height, inside, outside, below, above, is_end, places);
   } catch (const End& end) {
     return end;
   } catch (const std::exception&) {  // No answer, or no bracket.

@@ -12,7 +12,7 @@ struct Found {
   Status status;
 };
 
-/// Nothing where the function has no answer at the start, or an unknown moves no curve.
+/// Deviations to begin with; none where the function has no answer, or an unknown moves no curve.
 std::optional<Spread> look_at_start(const Model& model, Differences& function, Result& result) {
   const StatePtr state = function.with_slopes(start_of(model, 0));
   if (!state) return std::nullopt;
@@ -44,7 +44,7 @@ StartResult start_result(const Found& found) {
   return start;
 }
 
-/// Of two at the same minimum the one that came to rest.
+/// Best start; among two at the same minimum the one that came to rest.
 std::optional<std::size_t> best_of(const std::vector<StartResult>& starts) {
   const auto rank = [](const StartResult& s) {
     return s.objective ? *s.objective + (s.status == Status::iteration_limit ? 1e-3 : 0.0)
@@ -55,7 +55,7 @@ std::optional<std::size_t> best_of(const std::vector<StartResult>& starts) {
   return static_cast<std::size_t>(best - starts.begin());
 }
 
-/// Between two places, in standard deviations at the first.
+/// Distance between two places, in standard deviations at the first.
 double distance(const Search& a, const Search& b) {
   const VectorXd d = a.z - b.z;
   const Normal n = normal_at(a.model, *a.function.with_slopes(a.z), a.spread);
