@@ -215,7 +215,7 @@ struct WideSteps : WideNumbers {
 }  // namespace
 
 struct WideNewton::Methods {
-  Methods(const Equations& equations, DoubleTangent& doubles) : equations(equations), by_doubles(equations, doubles) {}
+  Methods(const Equations& of, DoubleTangent& doubles) : equations(of), by_doubles(of, doubles) {}
 
   NewtonMethod<WideSteps>& by_wide() { return wide ? *wide : wide.emplace(equations); }
 

@@ -73,28 +73,29 @@ double prs_friction_torque(const PrsCurves* curves, double force, double speed, 
   return prs_torque(&plain, force, speed, &beyond);
 }
 
-double prs_series_force(const PrsCurves* curves, double delta, double c, double* u, double* tangent) {
-  double low, high, force, stiffness, way = delta;
+/* Solves a u + c F(u) = right, which rises, from u on by Newton's method within bounds. */
+static double solve_within(const PrsCurves* curves, double a, double c, double right, double low, double high, double u,
+                           double* force, double* stiffness) {
   int beyond, k;
-  force = prs_force(curves, way, &stiffness, &beyond);
-  if (c > 0.0 && force != 0.0) {
-    low = delta > 0.0 ? 0.0 : delta;
-    high = delta > 0.0 ? delta : 0.0;
-    for (k = 0; k < 60; ++k) { /* Newton within bounds: way + c f(way) - delta rises. */
-      const double rest = way + c * force - delta;
-      double next;
-      if (rest > 0.0)
-        high = way;
-      else
-        low = way;
-      next = way - rest / (1.0 + c * stiffness);
-      if (fabs(next - way) <= 4e-16 * fabs(delta)) break;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      way = next;
-      force = prs_force(curves, way, &stiffness, &beyond);
-    }
+  *force = prs_force(curves, u, stiffness, &beyond);
+  for (k = 0; k < 100; ++k) {
+    const double rest = a * u + c * *force - right, slope = a + c * *stiffness;
+    double next = slope > 0.0 ? u - rest / slope : low;
+    if (fabs(next - u) <= 4e-16 * largest_of(fabs(u), fabs(a * right))) break;
+    if (rest > 0.0)
+      high = u;
+    else
+      low = u;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    u = next;
+    *force = prs_force(curves, u, stiffness, &beyond);
   }
-  *u = way;
+  return u;
+}
+
+double prs_series_force(const PrsCurves* curves, double delta, double c, double* u, double* tangent) {
+  double force, stiffness;
+  *u = solve_within(curves, 1.0, c, delta, smallest_of(delta, 0.0), largest_of(delta, 0.0), delta, &force, &stiffness);
   *tangent = stiffness / (1.0 + c * stiffness);
   return force;
 }
@@ -117,33 +118,16 @@ int prs_shaft_compliance(const PrsDrive* d, double x, double* c, double* slope) 
 
 double prs_static_deflection(const PrsDrive* d, double force, double x) {
   const PrsBranch* const branch = force < 0.0 ? &d->curves.compression : &d->curves.tension;
-  double low = branch->origin, high = low + 1e-6, c, slope, stiffness;
+  const double sense = sign_of(force), near = sense * branch->origin;
+  double far = near + sense * 1e-6, c, slope, stiffness, found;
   int beyond, k;
-  const double sense = sign_of(force);
   if (force == 0.0) return 0.0;
   prs_shaft_compliance(d, x, &c, &slope);
-  for (k = 0; k < 60 && sense * prs_force(&d->curves, sense * high, &stiffness, &beyond) < fabs(force); ++k)
-    high = low + 2.0 * (high - low);
-  for (k = 0; k < 200 && high - low > 1e-16 * high; ++k) {
-    const double middle = 0.5 * (low + high);
-    const double rest = sense * prs_force(&d->curves, sense * middle, &stiffness, &beyond) - fabs(force);
-    double next = stiffness > 0.0 ? middle - rest / stiffness : middle;
-    if (rest < 0.0)
-      low = middle;
-    else
-      high = middle;
-    if (next > low && next < high) { /* A step of Newton, which tightens one bound. */
-      const double at = sense * prs_force(&d->curves, sense * next, &stiffness, &beyond) - fabs(force);
-      if (at == 0.0) {
-        low = high = next;
-      } else if (at < 0.0) {
-        low = next;
-      } else {
-        high = next;
-      }
-    }
-  }
-  return sense * (0.5 * (low + high)) + c * force;
+  for (k = 0; k < 60 && sense * prs_force(&d->curves, far, &stiffness, &beyond) < fabs(force); ++k)
+    far = near + 2.0 * (far - near);
+  return solve_within(&d->curves, 0.0, 1.0, force, smallest_of(near, far), largest_of(near, far), far, &found,
+                      &stiffness) +
+         c * force;
 }
 
 double prs_elastic_energy(const PrsCurves* curves, double u) {

@@ -376,7 +376,7 @@ struct FitEvaluation::Parts {
     if (group.places.empty() && !result.converged()) rows.reason = "preload did not converge";
   }
 
-  /// Of designs that no study runs. One of each kind of losses goes first, the others take its tables: the
+  /// Computes designs that no study runs. One of each kind of losses goes first, the others take its tables: the
   /// same with any threads.
   std::vector<RowsOfDesign> computed_alone(Group& group, const std::vector<std::vector<Draw>>& designs) {
     std::vector<RowsOfDesign> all(designs.size());

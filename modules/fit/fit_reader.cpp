@@ -443,7 +443,7 @@ class FitReader : input::VariedInput {
          unit.empty() || unit == "%" ? "\"%\"" : unit, other);
   }
 
-  /// How well readings are known.
+  /// Deviation of readings as the file states it.
   struct Deviation {
     std::optional<std::size_t> column = {};
     std::optional<double> fixed = {};
@@ -451,7 +451,7 @@ class FitReader : input::VariedInput {
     Conversion to_unit = {};
   };
 
-  /// Of the reading that was read last.
+  /// Deviation of the reading that was read last.
   static double deviation_of_row(const Deviation& deviation, const FitCurve& c, const Readings& table,
                                  std::size_t measured) {
     const double reading = c.measured.back();

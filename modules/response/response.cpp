@@ -225,12 +225,11 @@ void add_warnings(const Case& c, ResponseResult& r) {
 
 }  // namespace
 
-double ResponseResult::lost() const {
-  return run.screw_friction + run.motor_friction + run.load_friction + run.coupling + run.contact + run.end_stop +
-         run.viscous;
+double ResponseResult::residual() const {
+  double lost = 0.0;
+  for (const EnergyLoss& loss : kEnergyLosses) lost += run.*loss.energy;
+  return run.motor + run.load - (run.stored_end - run.stored_start) - lost;
 }
-
-double ResponseResult::residual() const { return run.motor + run.load - (run.stored_end - run.stored_start) - lost(); }
 
 double ResponseResult::rms_torque() const {
   const double time = converged() ? input.duration : run.stopped_at;

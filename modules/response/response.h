@@ -48,7 +48,24 @@ struct FollowingError {
   double largest = 0.0, time = 0.0, rms = 0.0;
 };
 
+<<<<<<< HEAD
 /// All results of `analyze_response`, SI units.
+=======
+/// A loss of energy in a run, with its name in tables and pictures.
+struct EnergyLoss {
+  const char* name;
+  double DriveResult::*energy;
+};
+inline constexpr EnergyLoss kEnergyLosses[] = {{"screw friction", &DriveResult::screw_friction},
+                                               {"motor friction", &DriveResult::motor_friction},
+                                               {"load friction", &DriveResult::load_friction},
+                                               {"coupling", &DriveResult::coupling},
+                                               {"material", &DriveResult::contact},
+                                               {"end stops", &DriveResult::end_stop},
+                                               {"viscous", &DriveResult::viscous}};
+
+/// Everything that `analyze_response` computes, SI units.
+>>>>>>> 8dbfbd2b (One safeguarded Newton's method for forces of the screw's curve; losses of a run named once for tables and pictures)
 struct ResponseResult {
   ResponseInput input;
   bool has_preload = false;
@@ -63,7 +80,6 @@ struct ResponseResult {
   std::vector<Warning> warnings;
 
   bool converged() const { return run.status == DriveStatus::converged; }
-  double lost() const;
   double residual() const;
   double rms_torque() const;
   bool has_stops() const { return input.end_stops.upper || input.end_stops.lower; }

@@ -76,16 +76,9 @@ Figures energy(const ResponseResult& r) {
   Figure figure{"response_energy", "Energies of the run"};
   const std::size_t in = figure.add("put in", line_of(Colour::blue, Dash::solid, Weight::strong));
   const std::size_t lost = figure.add("stored or lost", line_of(Colour::vermillion, Dash::solid, Weight::strong));
-  const std::pair<const char*, double> bars[] = {{"motor", d.motor},
-                                                 {"load", d.load},
-                                                 {"stored", d.stored_end - d.stored_start},
-                                                 {"threads, drag", d.screw_friction},
-                                                 {"motor friction", d.motor_friction},
-                                                 {"guides", d.load_friction},
-                                                 {"coupling", d.coupling},
-                                                 {"material", d.contact},
-                                                 {"end stops", d.end_stop},
-                                                 {"viscous", d.viscous}};
+  std::vector<std::pair<const char*, double>> bars = {
+      {"motor", d.motor}, {"load", d.load}, {"stored", d.stored_end - d.stored_start}};
+  for (const auto& [what, lost] : kEnergyLosses) bars.emplace_back(what, d.*lost);
   Panel panel;
   figure.x = {""};
   for (std::size_t k = 0; k < std::size(bars); ++k) {

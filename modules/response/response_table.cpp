@@ -41,16 +41,9 @@ std::string energies_text(const ResponseResult& r) {
   const DriveResult& d = r.run;
   std::string text = line("energy of motor, of load", fmt::format("{:.5g} J, {:.5g} J", d.motor, d.load)) +
                      line("stored at start, at end", fmt::format("{:.5g} J, {:.5g} J", d.stored_start, d.stored_end));
-  const std::pair<const char*, double> lost[] = {{"screw friction", d.screw_friction},
-                                                 {"motor friction", d.motor_friction},
-                                                 {"load friction", d.load_friction},
-                                                 {"coupling", d.coupling},
-                                                 {"material", d.contact},
-                                                 {"end stops", d.end_stop},
-                                                 {"viscous", d.viscous}};
   std::string parts;
-  for (const auto& [what, energy] : lost)
-    if (energy != 0.0) parts += fmt::format("{}{} {:.4g} J", parts.empty() ? "" : ", ", what, energy);
+  for (const auto& [what, energy] : kEnergyLosses)
+    if (d.*energy != 0.0) parts += fmt::format("{}{} {:.4g} J", parts.empty() ? "" : ", ", what, d.*energy);
   text += line("lost", parts.empty() ? "nothing" : parts);
   return text + line("residual", fmt::format("{:.1e} J of {:.4g} J turned over", r.residual(), d.turnover));
 }
