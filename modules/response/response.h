@@ -48,9 +48,6 @@ struct FollowingError {
   double largest = 0.0, time = 0.0, rms = 0.0;
 };
 
-<<<<<<< HEAD
-/// All results of `analyze_response`, SI units.
-=======
 /// A loss of energy in a run, with its name in tables and pictures.
 struct EnergyLoss {
   const char* name;
@@ -65,7 +62,6 @@ inline constexpr EnergyLoss kEnergyLosses[] = {{"screw friction", &DriveResult::
                                                {"viscous", &DriveResult::viscous}};
 
 /// Everything that `analyze_response` computes, SI units.
->>>>>>> 8dbfbd2b (One safeguarded Newton's method for forces of the screw's curve; losses of a run named once for tables and pictures)
 struct ResponseResult {
   ResponseInput input;
   bool has_preload = false;
