@@ -10,7 +10,7 @@ namespace {
 
 UnknownResult& unknown_result(Result& result, Index j) { return result.unknowns[static_cast<std::size_t>(j)]; }
 
-// What the data tell apart.
+// Identified unknowns and combinations.
 
 Spectrum spectrum_at(const Search& s, const State& state, const Normal& n) {
   const Model& model = s.model;
@@ -52,7 +52,7 @@ void set_unidentified(const Spectrum& spectrum, Result& result) {
     }
 }
 
-/// Factor of the combination that the data tell of two unknowns of one scale.
+/// Factor of the identified combination of two unknowns of one scale.
 void set_factor(const Model& model, const Spectrum& spectrum, Unidentified& d) {
   if (d.unknowns.size() != 2) return;
   const auto a = static_cast<Index>(d.unknowns[0]), b = static_cast<Index>(d.unknowns[1]);
@@ -61,7 +61,7 @@ void set_factor(const Model& model, const Spectrum& spectrum, Unidentified& d) {
                (d.direction[1] * model.range(b) / spectrum.length[b]);
 }
 
-/// What is named as unidentified is never held at a bound.
+/// Unidentified unknowns are never held at a bound.
 void set_values(const Search& s, Normal& n, Result& result) {
   std::vector<Index> free;
   for (Index j = 0; j < s.model.count(); ++j) {
@@ -92,7 +92,7 @@ void set_tests(const Search& s, const State& state, Normal& n, Result& result) {
   result.p_value = chi_square_beyond(*result.chi_square, tested_redundancy);
 }
 
-// What is known of them.
+// Estimates of the unknowns.
 
 void set_estimates(const Search& s, const Normal& n, const Covariance& covariance, Result& result) {
   const Model& model = s.model;
@@ -134,7 +134,7 @@ void set_combination(const Search& s, const Covariance* covariance, Unidentified
 
 // Curves.
 
-/// Values and slopes of all curves; empty of those that are not asked for.
+/// Values and slopes of all curves; empty for curves that are not requested.
 struct Courses {
   std::vector<VectorXd> values;
   std::vector<MatrixXd> slopes;

@@ -20,11 +20,11 @@ struct Slopes {
   explicit operator bool() const { return !by_z.empty(); }
 };
 
-/// What is known at one place of the unknowns.
+/// Values and derivatives of the curves at one place of the unknowns.
 struct State {
   VectorXd z;
   std::vector<VectorXd> values;            ///< Values of each fitted curve, with its offset.
-  Slopes slopes = {};                      ///< Once they are asked for.
+  Slopes slopes = {};                      ///< Empty until they are needed.
   std::vector<MatrixXd> information = {};  ///< J'J over the squares of stated deviations.
 };
 using StatePtr = std::shared_ptr<State>;
@@ -38,7 +38,7 @@ class Differences {
   /// Null where the function has no answer.
   StatePtr at(const VectorXd& z);
   StatePtr with_slopes(const VectorXd& z);
-  /// Of curves with values and the unknowns of the mask.
+  /// Slopes of the curves that have values, by the unknowns of the mask.
   Slopes slopes(const VectorXd& z, const std::vector<VectorXd>& values, const Mask& wanted) const;
 
   /// Takes from a state which curves each unknown moves; returns one that moves none.

@@ -21,7 +21,7 @@ struct Readings {
   double floor = 0.0;  ///< Least estimated deviation.
 };
 
-/// What is constant in a fit. The unknowns are in u: the value, or its logarithm.
+/// Constant data of a fit. The unknowns are in u: the value, or its logarithm.
 struct Model {
   const Problem& problem;
   std::vector<Unknown> unknowns;
@@ -36,7 +36,7 @@ struct Model {
   /// In the unknown's own unit.
   double value(Index j, double z) const;
   Estimate shown(Index j, const Estimate& of_u) const;
-  /// What is added to the curve.
+  /// Offset that is added to the curve.
   double offset(std::size_t curve, const VectorXd& z) const;
   Request request(const VectorXd& z, std::vector<bool> curves) const;
   /// z + step within the bounds.

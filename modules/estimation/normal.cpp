@@ -14,7 +14,7 @@ double log_change(const Spread& before, const Spread& after) {
   return change;
 }
 
-/// Of the value of an unknown from its prior, in its deviations.
+/// Distance of an unknown's value from the mean of its prior, in the prior's deviations.
 double pull_of_prior(const Model& model, const VectorXd& z, Index j) {
   const auto& prior = *model.unknown(j).prior;
   return (model.u(j, z[j]) - prior.mean) / prior.deviation;

@@ -6,7 +6,7 @@
 namespace modules::fit {
 namespace {
 
-constexpr double kAtEnd = 1e-5;  // Of the profile's height above its target, in standard deviations.
+constexpr double kAtEnd = 1e-5;  // Tolerance of the profile's height above its target, in standard deviations.
 
 /// The objective where an unknown is held, the others following.
 struct Profile {
@@ -17,7 +17,7 @@ struct Profile {
   /// sqrt(S_p - S) less the target: nearly straight. Throws std::domain_error where there is none.
   double operator()(double z) {
     const Index j = *search.held;
-    std::vector<Index> others = least.free;  // They follow along the last direction.
+    std::vector<Index> others = least.free;  // Unknowns that follow along the last direction.
     std::erase(others, j);
     const VectorXd step = -(inverse(least.matrix, others) * least.matrix.col(j)) * (z - search.z[j]);
     search.z = search.model.moved(search.z, step);

@@ -44,7 +44,7 @@ StartResult start_result(const Found& found) {
   return start;
 }
 
-/// Of two at the same minimum the one that came to rest.
+/// Index of the least objective; of two starts at the same minimum, of the converged one.
 std::optional<std::size_t> best_of(const std::vector<StartResult>& starts) {
   const auto rank = [](const StartResult& s) {
     return s.objective ? *s.objective + (s.status == Status::iteration_limit ? 1e-3 : 0.0)

@@ -6,7 +6,7 @@
 
 namespace modules::fit {
 
-/// Of each r: rho(r^2), rho'(r^2) and psi(r) = rho'(r^2) r with its derivative by r.
+/// Loss of each r: rho(r^2), rho'(r^2) and psi(r) = rho'(r^2) r with its derivative by r.
 struct Robust {
   ArrayXd scaled, rho, weight, psi, slope;  ///< `scaled`: r
 };
@@ -25,7 +25,7 @@ std::optional<Runs> runs_of(std::span<const double> residuals);
 /// Radical inverse of k in the j-th prime, from 0 (Halton 1960).
 double halton(std::size_t k, std::size_t j);
 
-/// What the columns of a matrix tell apart, each divided by its length: singular values, falling, and
+/// Spectrum of the columns of a matrix, each divided by its length: singular values, falling, and
 /// right vectors. Columns shorter than kNoEffect are left out, directions below kLeastRatio are not
 /// identifiable.
 struct Spectrum {

@@ -407,7 +407,7 @@ std::string text_row(const TableRows& layout, Cells cells, const std::string& re
                 " " + unit + remark);
 }
 
-/// Combinations that the data tell of parameters that they cannot tell apart.
+/// Identified combinations of parameters that are not identified one by one.
 std::vector<FitDirection> combinations_of(const FitResult& r) {
   std::vector<FitDirection> all = all_of<FitDirection>(r, r.found.unidentified.size());
   std::erase_if(all, [](const FitDirection& d) { return !d.combination(); });

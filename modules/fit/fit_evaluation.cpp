@@ -376,8 +376,8 @@ struct FitEvaluation::Parts {
     if (group.places.empty() && !result.converged()) rows.reason = "preload did not converge";
   }
 
-  /// Of designs that no study runs. One of each kind of losses goes first, the others take its tables: the
-  /// same with any threads.
+  /// Computes designs that no study runs. One design of each kind of losses goes first and the others take its
+  /// tables, so that results do not depend on the number of threads.
   std::vector<RowsOfDesign> computed_alone(Group& group, const std::vector<std::vector<Draw>>& designs) {
     std::vector<RowsOfDesign> all(designs.size());
     std::vector<DutyLosses> found(designs.size());

@@ -451,7 +451,7 @@ class FitReader : input::VariedInput {
     Conversion to_unit = {};
   };
 
-  /// Of the reading that was read last.
+  /// Deviation of the reading that was read last.
   static double deviation_of_row(const Deviation& deviation, const FitCurve& c, const Readings& table,
                                  std::size_t measured) {
     const double reading = c.measured.back();

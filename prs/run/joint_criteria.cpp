@@ -51,7 +51,7 @@ void take_nut(const Case& c, double Structure::Nut::*size, FoundCriterion& found
                c.structure->nut.flanges.empty() ? "" : "without flanges");
 }
 
-/// What is so many times another quantity.
+/// A criterion whose value is `factor` times that of another.
 FoundCriterion times(CriterionKey key, const FoundCriterion& other, double factor) {
   FoundCriterion found(key, other.why);
   if (other.value) found.take(*other.value * factor, other.where, other.note);

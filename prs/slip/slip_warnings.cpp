@@ -11,7 +11,7 @@ namespace {
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
 
-/// Flash temperature from which it is told [K].
+/// Flash temperature above which a warning is given [K].
 constexpr double kHotFlash = 50.0;
 
 /// Temperatures of parts that run warm and of what is around them, for an estimate [K].

@@ -36,7 +36,7 @@ bool has_columns(const Case& c, Command command) {
          c.model.mechanism == ModelOptions::Mechanism::sector && c.model.loads == ModelOptions::Loads::at_rest;
 }
 
-/// Paths that are asked for together: those of one quantity, or all.
+/// Paths that are recorded together: those of one quantity, or all.
 std::map<std::string, std::vector<std::string>> groups(const Json& document, bool one_by_one) {
   std::map<std::string, std::vector<std::string>> groups;
   for (const std::string& path : response_paths(document)) {
