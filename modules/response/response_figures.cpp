@@ -128,11 +128,11 @@ Figures frequency(const ResponseResult& r) {
   };
   if (f.of_torque) {
     panel("Motor speed over motor torque", {"Speed over torque", "rad/s/(N m)"}, f.motor_speed, 1.0, true);
-    panel("Its phase", {"Phase", "deg"}, f.motor_speed_phase, per_si::degree, false);
+    panel("Phase of the motor speed", {"Phase", "deg"}, f.motor_speed_phase, per_si::degree, false);
     panel("Position over motor torque", {"Position over torque", "µm/(N m)"}, f.position, per_si::micrometre, true);
   } else {
     panel("Compliance at the load", {"Compliance", "µm/N"}, f.compliance, per_si::micrometre, true);
-    panel("Its phase", {"Phase", "deg"}, f.phase, per_si::degree, false);
+    panel("Phase of the compliance", {"Phase", "deg"}, f.phase, per_si::degree, false);
   }
   return {std::move(figure)};
 }

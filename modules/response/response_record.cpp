@@ -202,7 +202,7 @@ std::vector<Headline> headlines(const ResponseResult& r) {
   std::vector<Headline> all{
       {"Largest force", "force_N", (*larger)->force, larger == &r.largest.tension ? "tension" : "compression"}};
   if (const std::optional<double> pressure = (*larger)->peak_pressure)
-    all.push_back({"Its peak pressure", "peak_pressure_MPa", *pressure,
+    all.push_back({"Peak pressure at the largest force", "peak_pressure_MPa", *pressure,
                    fmt::format("limit {:g} GPa{}", kStaticPressureLimit * per_si::gigapascal,
                                *pressure > kStaticPressureLimit ? ", not met" : "")});
   return all;
