@@ -9,12 +9,12 @@
 /// per lane, and either with slopes; `LawParametersOf` lists them.
 namespace contact {
 
-/// What parts the flanks by a law: nothing; a film that carries all of the load; a film through which they touch.
+/// Separation of the flanks in a law: none; a film that carries all of the load; a film through which they touch.
 enum class Lubrication { dry, film, mixed };
 
-/// What the rest of the program asks of a law: what a case must state for it, and how it behaves.
+/// Properties of a law that the rest of the program needs.
 struct LawFacts {
-  std::string_view name;  ///< As a file writes it.
+  std::string_view name;  ///< Name in case files.
   std::string_view meaning;
   Lubrication lubrication = Lubrication::dry;
   bool changes_with_speed = false;

@@ -8,7 +8,7 @@ namespace {
 template <class Batch, class Number>
 using WideOf = std::conditional_t<std::is_same_v<Number, double>, Batch, simd::Dual<Batch>>;
 
-/// The same numbers in each lane.
+/// Copies numbers to all lanes.
 template <class Batch, template <class> class Of, class Number>
 [[gnu::always_inline]] inline Of<WideOf<Batch, Number>> spread(const Of<Number>& one) {
   return simd::in_all_lanes<Of<WideOf<Batch, Number>>, Batch>(one);

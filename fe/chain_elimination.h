@@ -4,11 +4,11 @@
 
 namespace fe {
 
-/// What the tangent is solved for: the contacts' remainders and
+/// Right-hand side of a solve with the tangent, besides the contacts' remainders.
 template <class Real>
 struct ChainResidual {
-  Real load;         ///< against the loaded freedom, 0 of station 0 [N],
-  bool corrections;  ///< and `ChainRecord::correction`.
+  Real load;         ///< Load against the loaded freedom, freedom 0 of station 0 [N].
+  bool corrections;  ///< Adds `ChainRecord::correction`.
 };
 
 /// Gaussian elimination with the tangent, station by station, its factors and the solution left in

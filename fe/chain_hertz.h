@@ -22,7 +22,7 @@ struct ChainHertz {
   }
 };
 
-/// The same with a linear compliance in series, N = k_0 <w - g - c N>^1.5, of either sign and
+/// ChainHertz with a linear compliance in series, N = k_0 <w - g - c N>^1.5, of either sign and
 /// along its tangent once c < 0 takes back half of what the power law adds (see PowerLawSpring).
 template <class Real>
 struct ChainHertzInSeries {

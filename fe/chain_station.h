@@ -159,7 +159,7 @@ template <int C, class Station, class Real, std::size_t N>
 }
 
 /// Whether two lanes are the halves of one chain of twice as many stations, from its first station
-/// on and from its last one back to the middle, every interval of the second half being told in the
+/// on and from its last one back to the middle, every interval of the second half being given in the
 /// sense of its walk. Loads are {load, 0}, and Station::mirrored(x) swaps the lanes. The halves are
 /// eliminated at once and meet in the middle (twisted factorization: Parlett, Dhillon, Linear
 /// Algebra Appl. 267, 1997): a single solve waits for half as many pivots one after the other.

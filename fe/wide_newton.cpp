@@ -14,7 +14,7 @@ using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
 /// Pivots below this share of the largest leave no digit in the solution.
 constexpr double kSmallestWidePivotRatio = 1e-33;
 
-/// As in NewtonOptions: small compared with the softest stiffness of a model.
+/// First shift (see NewtonOptions): small compared with the softest stiffness of a model.
 constexpr double kFirstShift = 1e-26;
 
 /// Displacements as Equations reads them.
@@ -37,7 +37,7 @@ State to_state(const WideState& q) {
   return state;
 }
 
-/// What the states, forces and energies of both kinds of steps are.
+/// Types of states, forces and energies, and operations on them, in both kinds of steps.
 struct WideNumbers {
   using Energy = Wide;
   using State = WideState;
@@ -77,7 +77,7 @@ struct WideNumbers {
 
   double largest_approach(const State& q) const { return equations.largest_approach(to_state(q)); }
   static double force_rounding(const State&) { return 0.0; }
-  /// What the laws round stays.
+  /// Whether the residual is within the rounding of the springs' laws, which no step removes.
   bool residual_is_rounding(const State& q, const Vector& residual) const {
     Eigen::VectorXd rounding = Eigen::VectorXd::Zero(equations.size());
     for (const Equations::Spring& s : equations.springs()) {

@@ -17,7 +17,7 @@ class WideNewton {
   WideNewton(const Equations& equations, DoubleTangent& doubles);
   ~WideNewton();
 
-  /// As NewtonSolver::solve, in at most `limit` linear solves: forces are those of wide numbers,
+  /// Solves as NewtonSolver::solve does, in at most `limit` linear solves: forces are those of wide numbers,
   /// but steps are solved for in doubles, whose errors the next step takes away. Where these are
   /// too large, it goes on with a tangent in wide numbers, a thousand times as slow.
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit, State& q);

@@ -101,7 +101,7 @@ template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
   return batches;
 }
 
-/// The same structure in all lanes of `Batch`.
+/// A structure whose numbers are repeated in all lanes of `Batch`.
 template <class Of, class Batch, class One>
 [[gnu::always_inline]] inline Of in_all_lanes(const One& one) {
   Of of;

@@ -7,7 +7,7 @@
 namespace prs {
 namespace {
 
-constexpr int kBits = 18;  // Of the time of an extreme within its step.
+constexpr int kBits = 18;  // Accuracy of the time of an extreme within its step.
 constexpr double kWeights[PRS_POINTS] = {1.0 / 20.0, 49.0 / 180.0, 16.0 / 45.0, 49.0 / 180.0, 1.0 / 20.0};
 
 double motor_power(const PrsView& v) { return v.motor_torque * v.omega_m; }

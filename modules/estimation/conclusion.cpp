@@ -52,7 +52,7 @@ void set_unidentified(const Spectrum& spectrum, Result& result) {
     }
 }
 
-/// Factor of the combination that the data tell of two unknowns of one scale.
+/// Factor of the identified combination of two unknowns of one scale.
 void set_factor(const Model& model, const Spectrum& spectrum, Unidentified& d) {
   if (d.unknowns.size() != 2) return;
   const auto a = static_cast<Index>(d.unknowns[0]), b = static_cast<Index>(d.unknowns[1]);

@@ -5,9 +5,9 @@
 namespace modules::fit {
 namespace {
 
-constexpr double kStep = 1e-3;          // Of z.
+constexpr double kStep = 1e-3;          // Step in z.
 constexpr double kLeastStep = 1e-4;     // Below that differences drown in the tolerances of what they are of.
-constexpr double kNoInfluence = 1e-12;  // Of the response.
+constexpr double kNoInfluence = 1e-12;  // Least change by an unknown, as a share of the response.
 constexpr double kEven = 1e-6;          // Difference of both sides over their distance from the middle.
 
 enum class Side { both, ahead, behind };

@@ -24,7 +24,7 @@ struct Slopes {
 struct State {
   VectorXd z;
   std::vector<VectorXd> values;            ///< Values of each fitted curve, with its offset.
-  Slopes slopes = {};                      ///< Once they are asked for.
+  Slopes slopes = {};                      ///< Empty until they are needed.
   std::vector<MatrixXd> information = {};  ///< J'J over the squares of stated deviations.
 };
 using StatePtr = std::shared_ptr<State>;

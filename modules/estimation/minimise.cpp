@@ -46,7 +46,7 @@ std::size_t minimise(const Residuals& residuals, std::size_t count, const std::v
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = roughly ? 12 : 200;
   options.max_num_consecutive_invalid_steps = 40;       // Rows without an answer; each halves the step or more.
-  options.function_tolerance = roughly ? 1e-4 : 1e-15;  // Its default stops too early.
+  options.function_tolerance = roughly ? 1e-4 : 1e-15;  // Ceres' default stops too early.
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
   ceres::Solver::Summary summary;

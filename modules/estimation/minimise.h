@@ -5,7 +5,7 @@
 
 namespace modules::fit {
 
-/// Residuals at z and, where they are asked for, their derivatives, a row each. False: none at this z.
+/// Residuals at z and, where `derivatives` is not null, their derivatives, one row per residual. False: none at this z.
 using Residuals = std::function<bool(const double* z, double* residuals, double* derivatives)>;
 
 /// Moves z to where half the sum of squares is least, within 0 <= z <= 1 where `bounded`; returns the

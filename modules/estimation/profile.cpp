@@ -19,7 +19,7 @@ struct Profile {
   /// sqrt(S_p - S) less the target: nearly straight. Throws std::domain_error where there is none.
   double operator()(double z) {
     const Index j = *search.held;
-    std::vector<Index> others = least.free;  // They follow along the last direction.
+    std::vector<Index> others = least.free;  // Unknowns that follow along the last direction.
     std::erase(others, j);
     const VectorXd step = -(inverse(least.matrix, others) * least.matrix.col(j)) * (z - search.z[j]);
     search.z = search.model.moved(search.z, step);

@@ -8,10 +8,10 @@
 namespace modules::fit {
 namespace {
 
-constexpr double kConverged = 1e-4;  // Of a standard deviation.
-constexpr double kSettled = 1e-6;    // What the search goes on to, where it can.
-constexpr double kEnough = 1e-3;     // Near a minimum whose unknown is held.
-constexpr double kAside = 0.03;      // Of z, where a search cannot begin.
+constexpr double kConverged = 1e-4;  // Largest step of a converged search, in standard deviations.
+constexpr double kSettled = 1e-6;    // Step to which the search continues where it can.
+constexpr double kEnough = 1e-3;     // Step that is enough near a minimum whose unknown is held.
+constexpr double kAside = 0.03;      // Step aside in z, where a search cannot begin.
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -154,7 +154,7 @@ void leave_even_place(Search& s) {
   }
 }
 
-/// As `settle` with the losses of squares: from afar most rows would look like outliers.
+/// Settles with the losses of squares: from afar most rows would look like outliers.
 Status settle_with_squares(Search& s) {
   Model squares = s.model;
   for (Readings& r : squares.curves) r.loss.kind = Loss::Kind::squares;

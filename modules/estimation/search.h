@@ -12,14 +12,14 @@ struct Search {
   Spread spread;
   std::optional<Index> held = {};  ///< An unknown that stays; then deviations stay, too.
   std::size_t iterations = 0;
-  std::optional<Failure> failure = {};  ///< Of the row for want of whose answer it failed or took back steps.
+  std::optional<Failure> failure = {};  ///< Row without an answer, for which the search failed or took back steps.
 };
 
 /// Looks for the least objective from its place on, deviations with it.
 Status run(Search& search);
 
-/// As `run` near the minimum: Ceres' search where Newton's steps alone lead nowhere. Returns the length
-/// of the step that is left, in standard deviations; none where it did not come to rest.
+/// Does what `run` does, from near the minimum: Ceres' search where Newton's steps alone lead nowhere. Returns the
+/// length of the step that is left, in standard deviations; none where it did not come to rest.
 std::optional<double> settle_near(Search& search);
 
 }  // namespace modules::fit

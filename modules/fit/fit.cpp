@@ -46,12 +46,12 @@ void warn_of_unidentified(FitResult& r) {
     const auto names = each(d.unknowns, [&](std::size_t j) { return r.name(j); });
     const bool is_one = names.size() == 1;
     warn(r, "fit", "not_identifiable",
-         fmt::format("the data {} {}", is_one ? "do not tell" : "cannot tell apart", fmt::join(names, ", ")),
+         fmt::format("the data {} {}", is_one ? "do not determine" : "cannot separate", fmt::join(names, ", ")),
          fmt::format("fix {}, give it a `prior`, or measure under other conditions", is_one ? "it" : "one of them"));
   }
   if (!r.found.without_redundancy) return;
   const FitCurve& c = r.input.curves[*r.found.without_redundancy];
-  warn(r, c.at, "no_redundancy", fmt::format("the readings of {} do not tell their deviation", c.name),
+  warn(r, c.at, "no_redundancy", fmt::format("the readings of {} do not determine their deviation", c.name),
        c.deviation.empty() ? "state its `deviation`" : "state a larger `deviation`: most of its rows are outliers");
 }
 
@@ -76,12 +76,12 @@ void warn_of_search(FitResult& r) {
   warn_of_unidentified(r);
   if (found.held_by) {
     warn(r, "fit", "iteration_limit",
-         fmt::format("the search did not come to rest: it is drawn to where {} has no answer: {}",
-                     place(*found.held_by), found.held_by->reason),
+         fmt::format("the search did not converge: it leads to where {} has no answer: {}", place(*found.held_by),
+                     found.held_by->reason),
          "narrow the bounds, look for wrong readings, or leave the row out");
   } else if (found.status == Status::iteration_limit) {
     const std::string wide = wide_bounds(r);
-    warn(r, "fit", "iteration_limit", "the search did not come to rest",
+    warn(r, "fit", "iteration_limit", "the search did not converge",
          wide.empty() ? "start nearer, or narrow the bounds"
                       : fmt::format("its bounds are wide: narrow them, or write{} with `from` above 0", wide));
   }
@@ -96,9 +96,9 @@ void warn_of_parameter(FitResult& r, const FitParameter& p, const modules::fit::
   if (p.prior && !(p.prior->mean >= p.from && p.prior->mean <= p.to))
     warn(r, p.path, "prior_outside", "the mean of its prior lies outside of its bounds", "check both");
   if (u.prior_decides)
-    warn(r, p.path, "prior_decides", "its prior decides: the data hardly add to it", "measure what depends on it");
+    warn(r, p.path, "prior_decides", "its prior decides its value: the data add little", "measure what depends on it");
   if (u.estimate && u.estimate->low <= p.from && u.estimate->high >= p.to)
-    warn(r, p.path, "hardly_told", "the data hardly tell it: its interval covers all from `from` to `to`",
+    warn(r, p.path, "hardly_told", "the data hardly determine it: its interval covers all from `from` to `to`",
          "measure what depends on it");
 }
 
@@ -114,17 +114,18 @@ void warn_of_probability(FitResult& r, const std::string& at, const std::string&
 
 void warn_of_curve(FitResult& r, const FitCurve& c, const modules::fit::CurveResult& found) {
   if (found.runs)
-    warn_of_probability(r, c.at, "runs", fmt::format("so few runs of sign of {}", c.name), found.runs->p_value);
+    warn_of_probability(r, c.at, "runs", fmt::format("so few sign changes of the residuals of {}", c.name),
+                        found.runs->p_value);
   if (found.is_without_noise)
     warn(r, c.at, "without_noise",
-         fmt::format("the readings of {} are met without noise, intervals say nothing", c.name),
+         fmt::format("the fit meets the readings of {} without noise, so intervals have no meaning", c.name),
          "state its `deviation`");
   const auto outliers = static_cast<std::size_t>(std::ranges::count_if(found.weight, [](double w) { return w < 0.5; }));
   if (c.loss.is_robust() && 4 * outliers > found.weight.size())
     warn(r, c.at, "outliers",
-         fmt::format(
-             "{} of {} rows of {} count less than half: its deviation is too small, or the model leaves something",
-             outliers, found.weight.size(), c.name),
+         fmt::format("{} of {} rows of {} count less than half: its deviation is too small, or the model leaves a "
+                     "systematic error",
+                     outliers, found.weight.size(), c.name),
          "look at the residuals");
 }
 

@@ -107,7 +107,7 @@ constexpr Quantity<FittedUnknown> kUnknown[] = {
     {"from", always<[](auto& p) { return p.bound(-1.0); }>, "lower bound"},
     {"to", always<[](auto& p) { return p.bound(1.0); }>, "upper bound"},
     {"prior", of<[](auto& p) { return p.parameter()->prior; }, &FittedUnknown::parameter>, "as the file has it"},
-    {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data tell it"},
+    {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data determine it"},
     {"value", of<[](auto& p) { return p.found().value; }>, "at the least objective"},
     {"standard_deviation", of_estimate<&estimation::Estimate::deviation>, "with `log` times the value"},
     {"low", of_estimate<&estimation::Estimate::low>, "end of the interval"},
@@ -132,7 +132,7 @@ constexpr Quantity<FitCombination> kCombination[] = {
     {"kind", always<[](auto& d) { return d.is_product() ? "product" : "sum"; }>, "sum | product"},
     {"names", always<&FitDirection::names>, "of both parameters, a and b"},
     {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
-    {"value", always<[](auto& d) { return d.combination()->value; }>, "which the data tell"},
+    {"value", always<[](auto& d) { return d.combination()->value; }>, "of the combination, which the data determine"},
     {"standard_deviation", of<[](auto& d) { return d.combination()->deviation; }, &FitDirection::has_spread>,
      "of a product times its value"},
     {"low", of<[](auto& d) { return d.combination()->low; }, &FitDirection::has_spread>, "end of the interval"},
@@ -141,7 +141,7 @@ constexpr Quantity<FitCombination> kCombination[] = {
 };
 
 constexpr Quantity<FitDirection> kDirection[] = {
-    {"names", always<&FitDirection::names>, "parameters that the data cannot tell apart"},
+    {"names", always<&FitDirection::names>, "parameters that the data cannot separate"},
     {"direction", always<[](auto& d) { return d.found().direction; }>, "of the scaled parameters"},
     {"ratio", always<[](auto& d) { return d.found().ratio; }>, "singular value over the largest"},
     {"combination", of<[](auto& d) { return FitCombination{d}; }, [](auto& d) { return d.combination().has_value(); }>,
@@ -274,9 +274,9 @@ constexpr Quantity<FitResult> kFit[] = {
      "in the units of the values"},
     {"singular_value_ratios", of_fit<&estimation::Result::singular_value_ratios>, "falling"},
     {"unidentified", always<[](auto& r) { return all_of<FitDirection>(r, r.found.unidentified.size()); }>,
-     "what the data cannot tell apart"},
+     "groups of parameters that the data cannot separate"},
     {"curves", always<curves_of>, "readings and fit, curve by curve"},
-    {"bands", always<bands_of>, "responses that were asked for, with their uncertainty"},
+    {"bands", always<bands_of>, "requested responses, with their uncertainty"},
     {"starts", of_fit<&estimation::Result::starts>, "searches, the file's first"},
 };
 
@@ -371,7 +371,7 @@ Cells cells_of(const FittedUnknown& p) {
     return cell(p.estimate() ? std::optional((*p.estimate()).*which) : std::nullopt);
   };
   return {p.label(),
-          p.found().value ? cell(p.found().value) : "not told",
+          p.found().value ? cell(p.found().value) : "unidentified",
           end(&estimation::Estimate::deviation),
           end(&estimation::Estimate::low),
           end(&estimation::Estimate::high),
@@ -407,7 +407,7 @@ std::string text_row(const TableRows& layout, Cells cells, const std::string& re
                 " " + unit + remark);
 }
 
-/// Combinations that the data tell of parameters that they cannot tell apart.
+/// Identified combinations of parameters that are not identified one by one.
 std::vector<FitDirection> combinations_of(const FitResult& r) {
   std::vector<FitDirection> all = all_of<FitDirection>(r, r.found.unidentified.size());
   std::erase_if(all, [](const FitDirection& d) { return !d.combination(); });
@@ -446,7 +446,7 @@ std::string fit_table(const FitResult& r) {
     text += text_row(values, cells_of(p), at == 0 ? "" : at < 0 ? ", at `from`" : ", at `to`");
   }
   for (const FitDirection& d : combinations_of(r))
-    text += wrapped("told: " + d.text() +
+    text += wrapped("identified: " + d.text() +
                         (d.has_spread() ? fmt::format(", {} {:.6g} to {:.6g}", level_text(r), d.combination()->low,
                                                       d.combination()->high)
                                         : ""),
@@ -473,7 +473,7 @@ PageSection fit_section(const FitResult& r) {
   for (const FittedUnknown& p : unknowns_of(r)) values.rows.push_back(cells_of(p));
   PageTable curves{"Curves", {"", "Rows", "Deviation of a reading", "Rms", "R²", "Runs, p in %", "Unit"}, {}};
   for (const FittedCurve& c : curves_of(r)) curves.rows.push_back(cells_of(c));
-  PageTable told{"What the data tell", {"", "Deviation"}, {}};
+  PageTable told{"Identified combinations", {"", "Deviation"}, {}};
   for (const FitDirection& d : combinations_of(r))
     told.rows.push_back({d.text(), d.has_spread() ? cell(d.combination()->deviation) : std::string(kAbsent)});
   PageSection page;
@@ -604,9 +604,9 @@ PRS_RECORD(FitParameter::Prior, "FitPrior", "What was known before.", kPrior);
 PRS_RECORD(FitProfile, "FitProfile", "Interval of the profile likelihood.", kProfile);
 PRS_RECORD(FittedUnknown, "FittedParameter", "An input that was fitted, or the offset of a curve.", kUnknown);
 PRS_RECORD(FitMatrix, "FitMatrix", "Of the values with a deviation.", kMatrix);
-PRS_RECORD(FitCombination, "FitCombination", "What the data tell of two parameters that they cannot tell apart.",
-           kCombination);
-PRS_RECORD(FitDirection, "FitDirection", "Parameters that the data cannot tell apart.", kDirection);
+PRS_RECORD(FitCombination, "FitCombination",
+           "Combination that the data determine of two parameters that they cannot separate.", kCombination);
+PRS_RECORD(FitDirection, "FitDirection", "Parameters that the data cannot separate.", kDirection);
 PRS_RECORD(estimation::Runs, "FitRuns", "Runs of sign of the residuals.", kRuns);
 PRS_RECORD(FittedCurve, "FittedCurve", "A curve with its fit.", kCurve);
 PRS_RECORD(FitCondition, "FitCondition", "What a band sets.", kBandCondition);

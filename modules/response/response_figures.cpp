@@ -78,7 +78,7 @@ Figures energy(const ResponseResult& r) {
   const std::size_t lost = figure.add("stored or lost", line_of(Colour::vermillion, Dash::solid, Weight::strong));
   std::vector<std::pair<const char*, double>> bars = {
       {"motor", d.motor}, {"load", d.load}, {"stored", d.stored_end - d.stored_start}};
-  for (const auto& [what, lost] : kEnergyLosses) bars.emplace_back(what, d.*lost);
+  for (const auto& [what, loss] : kEnergyLosses) bars.emplace_back(what, d.*loss);
   Panel panel;
   figure.x = {""};
   for (std::size_t k = 0; k < std::size(bars); ++k) {
@@ -121,11 +121,11 @@ Figures frequency(const ResponseResult& r) {
   };
   if (f.of_torque) {
     panel("Motor speed over motor torque", {"Speed over torque", "rad/s/(N m)"}, f.motor_speed, 1.0, true);
-    panel("Its phase", {"Phase", "deg"}, f.motor_speed_phase, per_si::degree, false);
+    panel("Phase of the motor speed", {"Phase", "deg"}, f.motor_speed_phase, per_si::degree, false);
     panel("Position over motor torque", {"Position over torque", "µm/(N m)"}, f.position, per_si::micrometre, true);
   } else {
     panel("Compliance at the load", {"Compliance", "µm/N"}, f.compliance, per_si::micrometre, true);
-    panel("Its phase", {"Phase", "deg"}, f.phase, per_si::degree, false);
+    panel("Phase of the compliance", {"Phase", "deg"}, f.phase, per_si::degree, false);
   }
   return {std::move(figure)};
 }

@@ -202,7 +202,7 @@ std::vector<Headline> headlines(const ResponseResult& r) {
   std::vector<Headline> all{
       {"Largest force", "force_N", (*larger)->force, larger == &r.largest.tension ? "tension" : "compression"}};
   if (const std::optional<double> pressure = (*larger)->peak_pressure)
-    all.push_back({"Its peak pressure", "peak_pressure_MPa", *pressure,
+    all.push_back({"Peak pressure at the largest force", "peak_pressure_MPa", *pressure,
                    fmt::format("limit {:g} GPa{}", kStaticPressureLimit * per_si::gigapascal,
                                *pressure > kStaticPressureLimit ? ", not met" : "")});
   return all;
@@ -214,7 +214,7 @@ std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase&)
     if (const auto& largest = r.largest[d]; largest && largest->peak_pressure)
       pressure.take(*largest->peak_pressure * per_si::megapascal, "response",
                     fmt::format("largest force in {}", name(d)));
-  pressure.best.reset();  // Of load cases.
+  pressure.best.reset();  // The best value is one of load cases, and a motion has none.
   speed.take(r.run.largest_speed, "response");
   if (const auto& largest = r.largest.compression; largest && largest->force != 0.0)
     compression.take(std::abs(largest->force), "response", "largest force in compression");

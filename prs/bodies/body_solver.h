@@ -77,7 +77,7 @@ struct BodySolver {
 /// The solver of the bodies that the conditions ask for.
 const BodySolver& body_solver(const Conditions& c);
 
-// Of kOneDimensional and kMeshed, in all_rollers.cpp.
+// Models of all rollers for kOneDimensional and kMeshed, in all_rollers.cpp.
 std::unique_ptr<RollersOnBodies> rollers_on_beams(const LoadedMechanism& of, const MakeModel& model,
                                                   FullSolver& solver);
 std::unique_ptr<RollersOnBodies> rollers_on_meshes(const LoadedMechanism& of, const MakeModel& model,

@@ -175,11 +175,11 @@ void add_export_options(CLI::App& command, Options& options) {
   add_flag(command, "--urdf", o.urdf, "Write the drive for ROS and other robot simulators, CASE.urdf");
   add_value(command, "--friction-load", o.friction_load, "FORCE",
             "Load whose friction robot simulators take; default: half of the largest force");
-  add_flag(command, "--step", o.step, "Grooved bodies for CAD: says how the Python package writes them");
+  add_flag(command, "--step", o.step, "Print how the Python package writes grooved bodies for CAD");
   add_value(command, "--force", o.force, "FORCE", "Largest force of the curves; default: that of the case");
   add_value(command, "--speed", o.speed, "SPEED", "Largest speed of the torque; default: that of the case");
   add_value(command, "--load-case", o.load_case, "NAME",
-            "Whose position, misalignment and temperatures hold, with `preload` for the "
+            "Load case whose position, misalignment and temperatures hold, with `preload` for the "
             "torque alone; default: the first");
   add_value(command, "-o,--output", o.output, "PATH",
             "The file to write, or a folder for it; default: the current folder");
@@ -207,7 +207,7 @@ void add_size_options(CLI::App& command, Options& options) {
 
 void add_list_options(CLI::App& command, Options& options) {
   take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
-  add_value(command, "file", options.file, "FILE", "A case: only what it has all for");
+  add_value(command, "file", options.file, "FILE", "A case: lists only what it is complete for");
   add_json(command, options);
 }
 
@@ -281,8 +281,8 @@ constexpr OwnRow kOwnRows[] = {
     {"size", kStart, "Choose a screw and a motor for a motion, a life and a stroke", add_size_options, size,
      "prs size press.yaml\n"
      "prs size press.yaml --output out --write 1 screw.yaml"},
-    {"report", kAnalyse, "Write one page for a browser or a printer: all that the case asks for", add_report_options,
-     report,
+    {"report", kAnalyse, "Write one page for a browser or a printer: everything that the case requests",
+     add_report_options, report,
      "prs report case.yaml --output report.html\n"
      "prs report case.yaml --static --results results --output report.html"},
     {"explore", kAnalyse, "Write that page and open it in the browser, to try other values", add_explore_options,

@@ -68,7 +68,7 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   std::string reasons = left_out_text(nothing);
   reasons.pop_back();  // Without the newline that the printing of the error adds.
   throw input::InputError(
-      "prs: error: nothing sound has this diameter, lead and starts; change what the reasons "
+      "prs: error: no valid screw has this diameter, lead and starts; change what the reasons "
       "name\n" +
       reasons);
 }

@@ -5,7 +5,7 @@
 
 namespace prs {
 
-/// What friction makes of power at given temperatures [W].
+/// Heat and power by friction at given temperatures [W].
 struct Losses {
   OfParts heat = OfParts::Zero();  ///< Into each part.
   double input = 0.0;              ///< Power that shaft and load bring in, each while it drives.
@@ -27,7 +27,7 @@ class CaseLosses {
 
   /// Loads, slip and friction at these temperatures of the parts [K]; none where there is no slip.
   std::optional<Losses> at(const OfParts& temperature);
-  /// Why there was none.
+  /// Reason why the last call of `at` had no losses.
   const std::string& failure() const { return failure_; }
 
   /// A good estimate for a small part of the effort: heat of equal shares at the slip ratio that
@@ -49,9 +49,9 @@ class CaseLosses {
 struct LossShare {
   double share = 0.0;
   std::shared_ptr<CaseLosses> losses;
-  std::string name;  ///< Name to tell it apart; else empty.
+  std::string name;  ///< Name that distinguishes it from other loads; else empty.
 
-  /// Why it had no losses.
+  /// Reason why it had no losses.
   std::string failure() const {
     return name.empty() ? losses->failure() : fmt::format("{} in `{}`", losses->failure(), name);
   }

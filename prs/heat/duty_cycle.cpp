@@ -308,7 +308,7 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
     const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
     if (!start)
       return ended(found, HeatStatus::no_steady_state,
-                   "the temperatures of the cycle do not come to repeat themselves; give the "
+                   "the temperatures of the cycle do not become periodic; give the "
                    "parts more conductance, less load or more rest");
     found.start = *start;
     const std::vector<TemperatureBox> visited = visited_from(*start, cycle, found.tables);

@@ -25,7 +25,7 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
 /// extrapolated (Deuflhard; Hairer and Wanner, Solving Ordinary Differential Equations II, IV.9),
 /// to 1e-8 K in a step; the start of the cycle that is also its end is found by Newton's method.
 /// Energies are integrated along with the temperatures, so that they balance to rounding.
-/// The peak is that within steps too. `warnings` tells of tables that losses are too rough for.
+/// The peak is that within steps too. `warnings` reports losses that are too rough for tables.
 /// `known` of a case with other conductances, capacities or times serves where its tables hold for
 /// the whole cycle, else `found` are new ones, over a wider range than this cycle needs.
 HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,

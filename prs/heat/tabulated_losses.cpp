@@ -3,9 +3,9 @@
 namespace prs {
 namespace {
 
-constexpr int kMostPoints = 9;       // Along a coordinate: 3, 5, 9, each within the next.
-constexpr int kMostOfAPanel = 250;   // Beyond that a panel is halved.
-constexpr double kNarrowest = 0.02;  // Of a panel [K].
+constexpr int kMostPoints = 9;       // Most points along a coordinate: 3, 5, 9, each within the next.
+constexpr int kMostOfAPanel = 250;   // Most points of a panel; beyond, it is halved.
+constexpr double kNarrowest = 0.02;  // Least width of a panel [K].
 /// Places at which a panel is checked, between its points on [-1, 1].
 constexpr double kChecks[][3] = {{0.55, -0.19, -0.83}, {-0.85, 0.53, 0.21}};
 
@@ -24,18 +24,18 @@ void chebyshev(double x, int n, Basis& value, Basis& slope) {
 /// Extreme point j of T_{n-1} on [-1, 1]; the middle where n = 1.
 double extreme_point(int j, int n) { return n == 1 ? 0.0 : std::cos(std::numbers::pi * j / (n - 1)); }
 
-/// Its number among `kMostPoints`.
+/// Index of extreme point j of n among `kMostPoints`.
 int on_finest(int j, int n) { return n == 1 ? (kMostPoints - 1) / 2 : j * ((kMostPoints - 1) / (n - 1)); }
 
-/// What the value at point j of n adds to coefficient k.
+/// Weight of the value at point j of n in coefficient k.
 double coefficient_weight(int j, int k, int n) {
   if (n == 1) return 1.0;
   const auto end = [n](int i) { return i == 0 || i == n - 1 ? 0.5 : 1.0; };
   return end(j) * end(k) * 2.0 / (n - 1) * std::cos(std::numbers::pi * j * k / (n - 1));
 }
 
-/// What n coefficients of these sizes leave out: the last one, which may vanish by parity, and what
-/// follows on the last but one, as that followed on the one two before.
+/// Estimate of what n coefficients of these sizes leave out: the larger of the last one, which may vanish by parity,
+/// and the last but one times its ratio to the one two before it.
 double left_out(const Basis& size, std::size_t n) {
   const double before = n > 4 ? size[n - 4] : 0.0;
   const double falls = before > size[n - 2] ? size[n - 2] / before : 1.0;

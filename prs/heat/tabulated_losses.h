@@ -29,7 +29,7 @@ class LossTable {
  public:
   /// Nothing is lost.
   LossTable() = default;
-  /// The same at all temperatures.
+  /// Losses that are equal at all temperatures.
   explicit LossTable(const Losses& constant);
   using At = std::function<std::optional<Losses>(const OfParts& temperature)>;
   struct Effort {

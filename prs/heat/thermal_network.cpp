@@ -139,8 +139,8 @@ std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwo
 
 std::string runaway(const OfParts& heat, double ambient) {
   return fmt::format(
-      "the parts warm on beyond {0}: they take up more heat than they pass on at any temperature "
-      "below, there {1:.4g} W, which need {2:.3g} W/K to the surroundings; give them more "
+      "the parts heat up beyond {0}: at any lower temperature they take up more heat than they give off; "
+      "at {0} they take up {1:.4g} W, which need {2:.3g} W/K to the surroundings; give them more "
       "conductance, less load or less speed",
       celsius(kHottest), heat.sum(), heat.sum() / (kHottest - ambient));
 }

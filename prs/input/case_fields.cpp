@@ -162,8 +162,7 @@ void alternatives(Choices& io, DrivenBy& d) {
 
 void alternatives(Choices& io, HistorySource::DrivenBy& d) {
   io("travel", d, HistorySource::DrivenBy::travel,
-     "whom position or speed tell: F dx > 0 is driven by the load, x growing as the screw moves "
-     "out");
+     "by position or speed: the load drives where F dx > 0, x growing as the screw moves out");
   io("screw", d, HistorySource::DrivenBy::screw, "the screw always");
   io("load", d, HistorySource::DrivenBy::load, "the load always");
 }
@@ -1207,7 +1206,7 @@ void fields(const Fields& io, FitParameterItem& p) {
   io("from", p.from, Verbatim{}, required, "Least value");
   io("to", p.to, Verbatim{}, required, "Greatest value");
   io("start", p.start, Verbatim{}, "Where the search starts; by default what the file says, else the key's default");
-  io("scale", p.scale, Choice{}, "In what the search, priors and intervals are linear");
+  io("scale", p.scale, Choice{}, "Scale on which search, priors and intervals are linear");
   io("prior", p.prior, Block{}, "What is known besides the curves");
   io("label", p.label, Text{"friction"}, "Its name in tables and figures");
 }
@@ -1436,7 +1435,7 @@ void fields(const Fields& io, ResponseInput::Controller& c) {
      "Of the speed loop; none by default");
   io("largest_torque", c.largest_torque, Quantity{unit::torque, positive}, "Bound of the torque; none by default");
   io("largest_speed", c.largest_speed, Quantity{unit::rotational_speed, positive},
-     "Bound of the speed that the loop asks for; none by default");
+     "Largest speed that the loop may demand; none by default");
   io("feedback", c.feedback, Choice{}, optional_only_if(c.position.has_value(), "only with `position`"),
      "What the position loop measures");
   io("speed_feed_forward", c.speed_feed_forward, Flag{},
@@ -1586,7 +1585,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("response", c.response, Block{}, "The screw in its drive, for `prs response`");
   io("limits", file.limits, Block{}, "What the verdict of `prs check` and of the report holds the case against");
   io("motor", file.motor, Block{},
-     "What one cycle of the axis asks of motor and brake, and their limits, for `prs check`");
+     "Demand of one cycle of the axis on motor and brake, and their limits, for `prs check`");
   io("study", file.study, Block{}, "What `prs study` varies");
   io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
   io("fit", file.fit, Block{}, "What `prs fit` finds from measured curves");

@@ -51,8 +51,8 @@ FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, 
       }
       found.take(*stiffness * per_si::newton_per_micrometre, r.load_case.name, note);
     };
-    // What acts across the axis moves the screw too, and force over displacement may say nothing; a seat
-    // that stands askew does so without any load.
+    // Loads across the axis move the screw too, so that force over displacement may be no stiffness; a tilted or
+    // offset seat moves it without any load.
     const SpatialLoad& spatial = r.load_case.spatial;
     const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
     if (!askew) take(r.axial_stiffness, "");
@@ -96,7 +96,7 @@ void take_temperatures(FoundCriterion& found, const PerPart<double>& kelvin, std
   found.take(t.screw, where, "screw");
   found.take(t.rollers, where, "rollers");
   found.take(t.nut, where, "nut");
-  found.best.reset();  // Of another part.
+  found.best.reset();  // The best value is one of another part.
 }
 
 std::vector<FoundCriterion> load_criteria(const Result& result, const JudgedCase& of, const InSeriesOf& in_series) {

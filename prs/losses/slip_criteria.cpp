@@ -20,7 +20,7 @@ std::optional<double> efficiency_over_spectrum(const Result& slip, const Case& c
     if (!step.distance) return std::nullopt;
     const double work = step.force * *step.distance;
     if (step.driven_by == DrivenBy::load || work == 0.0) continue;
-    std::optional<double> worst;  // Of load cases at other speeds.
+    std::optional<double> worst;  // Least efficiency of load cases at other speeds.
     for (const LoadCaseResult& r : slip.load_cases) {
       const double force = std::abs(r.load_case.axial_force);
       if (r.load_case.direction == step.direction && std::abs(force - step.force) <= kLimitRounding * force &&
@@ -114,7 +114,7 @@ bool locks(const Result* slip, const MotorDuty& duty) {
   return back && back->slip && back->slip->converged() && back->slip->self_locking.value_or(false);
 }
 
-/// What the cycle asks of the motor, each step with the friction of its load case; none without it.
+/// Demand of the cycle on the motor, each step with the friction of its load case; none without slip or inertia.
 std::optional<MotorDemand> demand_of(const MotorDuty& duty, const Result* slip, double lead,
                                      std::optional<double> inertia) {
   if (!slip || !inertia) return std::nullopt;

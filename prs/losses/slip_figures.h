@@ -21,7 +21,7 @@ struct ReferencePoint {
   std::optional<double> efficiency = std::nullopt;
 };
 
-/// What a figure of a sweep may show besides its curves.
+/// Additions to the curves in a figure of a sweep.
 struct PowerFigureOptions {
   std::string name = "power_by_source";
   std::string title = "Power lost by source";
@@ -43,7 +43,7 @@ Figures power_by_source(const Result& result, const FigureOptions& options);
 /// Temperatures of the parts over the cycle of the duty, their means dashed.
 Figures heat_cycle(const Result& result);
 
-/// What `slip` can show, and by their names what `solve` can. Both must outlive the list.
+/// Figures of `slip`, and by their names those of `solve`. Case and result must outlive the list.
 Pictures slip_pictures(const Case& c, const Result& result);
 
 }  // namespace prs

@@ -65,7 +65,7 @@ std::string slip_ratio_lines(const SlipResult& slip) {
       slip.status == SlipStatus::imposed
           ? fmt::format("imposed; moment left on a roller {} {}", four_digits(shown(slip.moments.residue(), "N mm")),
                         table_unit("N mm").text)
-          : fmt::format("{:.4g} % of the way from pure sliding to the ideal", slip.optimality * per_si::percent);
+          : fmt::format("optimality {:.4g} % (pure sliding 0, ideal 100)", slip.optimality * per_si::percent);
   return block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
          block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
          block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));

@@ -15,7 +15,7 @@ namespace prs {
 /// the waves 1, cos(m theta_j) and sin(m theta_j) over the rollers j do not see each other. SI
 /// units.
 struct ContactsAround {
-  /// What waves of one order m meet; contacts are those of one roller, at the screw first.
+  /// Matrices for waves of one order m; contacts are those of one roller, at the screw first.
   struct Mode {
     Eigen::MatrixXd flexibility;  ///< C [m/N], symmetric.
     Eigen::MatrixXd rigid;        ///< R, one column for each of V.

@@ -38,7 +38,7 @@ struct FullStructure {
     int link = -1;
     int stop = -1;  ///< Spring of the stop outwards, whose approach is v against the ring; that inwards follows.
   };
-  /// What holds a freedom: a constraint or an elastic link, or nothing.
+  /// Support of a freedom: a constraint, an elastic link, or none.
   struct Held {
     int node = 0;
     fe::Dof dof = fe::Dof::u;
@@ -53,12 +53,12 @@ struct FullStructure {
 
   fe::Model model;
   std::vector<SpatialNode> screw, nut;
-  std::vector<Roller> rollers;  ///< Those of FullModel::present.
+  std::vector<Roller> rollers;  ///< Rollers of FullModel::present.
   std::vector<Guide> guides;
   std::array<int, 2> rings{-1, -1};           ///< (-, y, z as u and v) of floating rings.
   std::array<const SpatialNode*, 2> seats{};  ///< Seats of the rings on screw or nut; null: housing.
   Support housing;
-  std::vector<Support> bearings;  ///< As FullModel::bearings; several may hold one freedom.
+  std::vector<Support> bearings;  ///< Supports by FullModel::bearings; several may hold one freedom.
   int loaded = 0;                 ///< In `screw`.
   std::vector<fe::NodalLoad> loads;
   std::vector<std::vector<fe::NodalLoad>> per_force;  ///< Loads per force of each spring.
@@ -70,7 +70,7 @@ struct FullStructure {
 
 /// Displacement at x of the rigid motion that is taken out, across the axis [m].
 Lateral rigid_offset(const FullModel& model, double x);
-/// Its slopes y' and z' [rad].
+/// Slopes y' and z' of that rigid motion [rad].
 Lateral rigid_slope(const FullModel& model);
 
 /// Stations that a structure has besides those that its loads and supports need.
@@ -91,25 +91,25 @@ const RollerSection<double>& section_at(const std::vector<BodyPiece>& pieces, do
 /// Motions of rigid parts that nothing resists: no contact, guide, bearing or spring.
 struct FreeMotions {
   int count = 0;
-  std::vector<std::string> parts;  ///< Those that move: screw, ring, roller 3.
+  std::vector<std::string> parts;  ///< Parts that move: screw, ring, roller 3.
 };
 
 /// The rows of contacts, constraints and springs over the rigid motions of the screw, of each
 /// roller and of each floating ring, each row scaled to one and rotations taken in 1/r_R; the
-/// motions are those of singular values below 1e-9 of the largest. `closed` tells which contacts
+/// motions are those of singular values below 1e-9 of the largest. `closed` says which contacts
 /// and stops count, all where it is empty.
 FreeMotions free_motions(const FullModel& model, const FullStructure& structure, const std::vector<bool>& closed = {});
 
-/// What no forces of contacts, which only push, and of guides, bearings and springs, which do both,
-/// can take of the loads on the rigid parts: the smallest by least squares, moments over r_R, as a
-/// share of the axial force. 0 where an equilibrium exists (Farkas).
+/// Smallest part of the loads on the rigid parts that no forces of contacts, which only push, and of guides,
+/// bearings and springs, which push and pull, can balance, by least squares, moments over r_R, as a share of the
+/// axial force. 0 where an equilibrium exists (Farkas).
 double load_left(const FullModel& model, const FullStructure& structure);
 
 /// The axial force from which on the rest of the load is held [N], up to a thousand times the given
 /// one; absent where none holds it.
 std::optional<double> holding_force(const FullModel& model);
 
-/// What to tell of a mechanism and of a load that nothing holds.
+/// Sentences about a mechanism and about a load that nothing holds.
 std::string why_free(const FreeMotions& motions);
 std::string why_not_held(const FullModel& model, const FullStructure& structure);
 

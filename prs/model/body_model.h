@@ -25,7 +25,7 @@ struct BodyModel {
   bool friction = true;          ///< Loads of a running sector.
 
   bool all_rollers = true;                  ///< `Mechanism::full`
-  bool friction_on_all_rollers = true;      ///< Its running loads.
+  bool friction_on_all_rollers = true;      ///< Running loads of the full mechanism.
   bool helical_contacts = true;             ///< `ContactPhase::helical`
   bool loose_guides_of_all_rollers = true;  ///< Guides with a clearance.
 };

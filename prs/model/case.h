@@ -16,7 +16,7 @@ struct ContactOverrides {
   PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
 };
 
-/// What a report says of itself, and how it shows shares of threads over the load.
+/// Title block of a report, and how the report shows shares of threads over the load.
 struct ReportInput {
   enum class Butterfly {
     of_mean,  ///< In percent of the mean thread, tension to the right.

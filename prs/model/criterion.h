@@ -22,14 +22,14 @@ enum class Sense { least, greatest };
 std::string_view name(Sense sense);
 
 enum class LimitSource { stated, physics, recommended };
-std::string_view name(LimitSource source);  ///< As documents have it: `case` for stated.
+std::string_view name(LimitSource source);  ///< Word in documents: `case` for stated.
 
 enum class Standing { green, amber, red, no_limit, not_computed, not_applicable };
 std::string_view name(Standing standing);
 
 /// A criterion as documents name it, and what its value is held against.
 struct CriterionRow {
-  std::string_view name;        ///< Its key in `limits`, where it has one.
+  std::string_view name;        ///< Name, also the key in `limits` where there is one.
   std::string_view title = {};  ///< `Static safety`; empty of what others follow from, which is not shown.
   std::string_view unit = {};   ///< Unit of value and limit; empty for ratios and fractions.
   Sense sense = Sense::least;   ///< Sense of the limit.
@@ -39,7 +39,7 @@ struct CriterionRow {
   bool is_plain = true;                            ///< Shown without a limit too.
   std::optional<double> physical = {}, recommended = {};
   Command needed = {};                        ///< Names what to add where no analysis says anything; none: left out.
-  std::string_view why = {};                  ///< Why there is no value, or what an empty note says.
+  std::string_view why = {};                  ///< Reason why there is no value, or text in place of an empty note.
   std::string_view before = {};               ///< Words before a note.
   LimitSource source = LimitSource::physics;  ///< Source of a standing that the analysis gives.
   bool of_preload = false;                    ///< Without a value where the preload cannot be had.
@@ -164,7 +164,7 @@ struct CriterionKey {
   const CriterionRow* row;
 };
 
-/// What an analysis finds of a criterion: the worst value, or why there is none.
+/// Result of an analysis for a criterion: the worst value, or why there is none.
 struct FoundCriterion {
   FoundCriterion(CriterionKey key) : row(key.row) {}
   FoundCriterion(CriterionKey key, std::string_view reason) : FoundCriterion(*key.row, reason) {}
@@ -211,7 +211,7 @@ struct Criterion {
   std::optional<LimitSource> source = {};
   Standing standing = Standing::no_limit;
   std::string load_case = {};  ///< Load case with the worst value.
-  std::string reason = {};     ///< What limits it, or why there is no value.
+  std::string reason = {};     ///< Reason of the limit, or why there is no value.
 };
 
 }  // namespace prs

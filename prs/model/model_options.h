@@ -7,7 +7,7 @@
 
 namespace prs {
 
-/// What `kRefined` adds to the bars, each effect on its own (docs/refined.md).
+/// Effects that `kRefined` adds to the bars, each on its own (docs/refined.md).
 struct RefinedEffects {
   bool core = true;           ///< Sections at the thread's root, not at the pitch diameter.
   bool shear = true;          ///< Shear in the roller's bending.

@@ -371,7 +371,7 @@ std::string failures(const OptimizationResult& result) {
 
 }  // namespace
 
-PRS_RECORD(OptimizationResult, "Optimization", "What was asked for, and the best designs.", kResultRows);
+PRS_RECORD(OptimizationResult, "Optimization", "The request and the best designs.", kResultRows);
 
 nlohmann::ordered_json optimize_json(const OptimizationResult& result, const DocumentInfo& info) {
   nlohmann::ordered_json document = document_head(info, {});

@@ -31,7 +31,7 @@ struct ReferenceReading {
 /// Analyses whose responses references may have; those of load cases come before others that repeat them.
 std::span<const AnyAnalysis> referenced_analyses();
 
-/// What another program or a test found for a response of one load case or of the case: over the threads, over
+/// Result of another program or of a test for a response of one load case or of the case: over the threads, over
 /// an input, or as one number.
 struct ReferenceCurve {
   std::string name, file;

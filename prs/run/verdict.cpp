@@ -66,8 +66,8 @@ Criterion judged(const FoundCriterion& found, const Limits& limits) {
   return c;
 }
 
-/// What commands found, and why others were not run: what to add, or what they found wrong. A command that is in
-/// neither was not asked, and what it would have given is left out.
+/// Findings of commands, and why others have none: what to add, or what is wrong in the input. Criteria of a command
+/// that is in neither are left out.
 struct Evidence {
   std::vector<std::pair<Command, FoundCriterion>> found = {};
   std::map<Command, std::string> lacking = {};
@@ -123,8 +123,8 @@ const Attempt* done(std::span<const Attempt> attempts, Command command) {
   return nullptr;
 }
 
-/// Whose loads at rest count: `measures` has those of `solve`; those of `contact` are equal shares, where nothing is
-/// solved.
+/// The attempt whose loads at rest count: `measures` has those of `solve`; those of `contact` are equal shares, where
+/// nothing is solved.
 const Attempt* at_rest_of(std::span<const Attempt> attempts) {
   for (const Command command : {Command::measures, Command::solve})
     if (const Attempt* const found = done(attempts, command)) return found;
@@ -132,7 +132,7 @@ const Attempt* at_rest_of(std::span<const Attempt> attempts) {
   return equal && !equal->delivery->result<Result>()->load_cases.empty() ? equal : nullptr;
 }
 
-/// Why commands have no result. Errors of the input that they found; a case for which no thread loads can be had is
+/// Adds why commands have no result, and errors that they found in the input. A case without any thread loads is
 /// impossible.
 void add_lacking(const input::CaseInput& in, std::span<const Attempt> attempts, Evidence& evidence,
                  CaseVerdict& verdict) {

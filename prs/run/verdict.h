@@ -15,7 +15,7 @@ struct CaseVerdict {
   std::vector<std::string> not_built = {};
   /// Commands that the case is ready for and that found something wrong with it.
   std::vector<std::string> failed = {};
-  /// Why no screw can be like this, as `solve` and `measures` say it; empty of a possible one.
+  /// Reason of `solve` or `measures` why no screw can be like this; empty for a possible one.
   std::string impossible = {};
 
   /// The worst: red, amber, green; red of an impossible screw, amber where a stated limit has no value, or a command
@@ -34,7 +34,7 @@ struct Attempt {
 /// The verdict on a case by what was run of it.
 CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> attempts);
 
-std::string words(const Criterion& c);  ///< Its standing: `met`, `below recommended`, `not computed`
+std::string words(const Criterion& c);  ///< Words for its standing: `met`, `below recommended`, `not computed`
 
 /// How tables and pages show value and limit: shown = value * factor.
 struct ShownCriterion {
@@ -43,7 +43,7 @@ struct ShownCriterion {
 };
 ShownCriterion shown(const Criterion& criterion);
 
-/// What the verdict comes to: `Not met: static safety, peak pressure. ..`.
+/// One sentence with the verdict: `Not met: static safety, peak pressure. ..`.
 std::string summary(const CaseVerdict& verdict);
 /// Criteria without a value or without anything to apply to: `temperature (add heat), ..`.
 std::string not_computed(const CaseVerdict& verdict);

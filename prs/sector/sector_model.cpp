@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-/// What bodies without effects of their own have.
+/// Effects of models of bodies that have none.
 constexpr RefinedEffects kNoEffects{false, false, false, false, false, false, false};
 
 const RefinedEffects& effects_of(const ModelOptions& options) {

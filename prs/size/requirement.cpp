@@ -228,7 +228,7 @@ void fields(const Fields& io, Requirement& r) {
        measures("shaft", r.shaft, Block{}, "Of the screw, for buckling and critical speed");
      }},
      "As in a case");
-  io("life", r.life, Block{"{hours: 20000 h}"}, "Life that is asked for");
+  io("life", r.life, Block{"{hours: 20000 h}"}, "Required life");
   io("limits", r.limits, Block{}, "What candidates are held against");
   io("motor", r.motor, Block{}, "Without a limit there is no criterion");
   io("brake", r.brake_torque, Keys{[&](const Fields& brake) {

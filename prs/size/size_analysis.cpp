@@ -239,7 +239,7 @@ constexpr Quantity<SizeCurve::Required> kRequired[] = {
 };
 
 Record<SizeCurve::Required> record_of(Type<SizeCurve::Required>) {
-  return {"RequiredForce", "A force that the motion asks for at its speed.", kRequired};
+  return {"RequiredForce", "A force that the motion requires at its speed.", kRequired};
 }
 
 constexpr Quantity<SizeCurve> kCurve[] = {

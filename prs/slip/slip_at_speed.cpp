@@ -41,7 +41,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   if (!rolls(contacts.mechanism)) return std::nullopt;
   Oils oils = oils_in_operation(c);
   const bool oiled = c.friction->facts().has_film() || c.carrier.is_oiled();
-  if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
+  if (oiled && !oils.carrier) return std::nullopt;  // its temperature is known from heat alone
   Conditions free = c;
   if (free.operation) free.operation->slip_ratio.reset();
   const SlipModels models(free, contacts, std::move(oils));

@@ -9,7 +9,7 @@ namespace prs {
 std::optional<double> back_driving_efficiency(const Conditions& c, const Contacts& contacts,
                                               const LoadCaseResult& loaded);
 
-/// What friction does from a thousandth to ten times the speed of a load case, loads at rest and
+/// Speed, power and efficiency from a thousandth to ten times the speed of a load case, loads at rest and
 /// the oil as they are, loads of a running screw found anew; speeds without an equilibrium are left
 /// out.
 struct StribeckCurve {

@@ -15,7 +15,7 @@ struct LoadedThreads {
     std::optional<double> normal_load = {};  ///< N_i, if known from the running screw [N].
     bool other_flank = false;                ///< See `SlipModel::other_flank`.
     contact::HertzContact ellipse;
-    contact::FrictionLaw friction;  ///< With the film of the contact, whatever the law.
+    contact::FrictionLaw friction;  ///< Friction with the film of the contact, in every law.
   };
   std::vector<Contact> contacts;
   std::vector<contact::Patch> patches;  ///< Patches of these contacts.

@@ -11,7 +11,7 @@ namespace {
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
 
-/// Flash temperature from which it is told [K].
+/// Flash temperature above which a warning is given [K].
 constexpr double kHotFlash = 50.0;
 
 /// Temperatures of parts that run warm and of what is around them, for an estimate [K].
@@ -122,8 +122,8 @@ std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m
   if (needed <= in_air) return std::nullopt;
   return Warning{"heat", "unknown_temperatures",
                  fmt::format("missing, so that temperatures are not known: to stay at {:.0f} degC in "
-                             "{:.0f} degC, the mechanism must pass its {:.0f} W on by {{value}}, and "
-                             "still air takes {{limit}} from a bare nut; loads, films and life are those "
+                             "surroundings of {:.0f} degC, its {:.0f} W need a conductance of {{value}}, and "
+                             "that of a bare nut in still air is {{limit}}; loads, films and life are those "
                              "of the stated temperature",
                              kWarmParts - 273.15, kSurroundings - 273.15, power),
                  "add `heat`"}

@@ -81,7 +81,7 @@ std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers,
   return indices;
 }
 
-/// What batches compute besides loads and approaches, and whether load cases have their modes.
+/// Results of batches besides loads and approaches, and whether load cases have their modes.
 struct NumberDetail {
   LoadDetail loads;
   SlipDetail slip;
@@ -294,7 +294,8 @@ struct DesignEngine::Parts {
       }
       return by_document(*base, input.source, document);
     });
-    if (base && of_references) read_references(input.source, *base);  // What is wrong in a file is no design's fault.
+    if (base && of_references)
+      read_references(input.source, *base);  // An error in a file fails the study, not a design.
     if (!status.converged()) document = nullptr;
     study.responses = recorded_columns(study, document, threads, arrays);
     if (study.command != Command::response) numbers = numbers_of(study.responses);

@@ -12,13 +12,13 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostFrames = 256;
 
-/// What is known of an input's values before any design is read.
+/// Values of an input, before any design is read.
 struct Values {
-  std::size_t factor = 0;  ///< Whose draw sets it.
+  std::size_t factor = 0;  ///< Index of the factor whose draw sets the value.
   std::string path = {};
   bool number = false;                ///< A drawn number can be set without reading it.
   const input::Unit* unit = nullptr;  ///< None of bare numbers.
-  std::vector<double> levels = {};    ///< As `input::slot_value` gives them; NaN where one must be read.
+  std::vector<double> levels = {};    ///< Levels by `input::slot_value`; NaN where one must be read.
 };
 
 Values values_of(const DrawnInput& input, input::CaseFile& file) {
@@ -50,8 +50,8 @@ struct Frame {
   input::CaseFile file;
   std::vector<Bound> bound;
   std::vector<std::size_t> varied_items;  ///< Items of `load_cases` with a number that is set.
-  /// What checks look at in place of all load cases: those that vary, and one for all that no check
-  /// tells apart.
+  /// Load cases that stand in checks for all of them: those that vary, and one of each group that is alike in all
+  /// checks.
   struct Checked {
     struct Varied {
       std::size_t place;  ///< Here,

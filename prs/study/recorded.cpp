@@ -23,7 +23,7 @@ std::size_t most_threads(const Study& study, std::size_t threads) {
   return static_cast<std::size_t>(most);
 }
 
-/// Why the base case has no number at a path.
+/// Reason why the base case has no number at a path.
 std::string unknown(const std::string& path, const Json& document) {
   const std::string got = fmt::format("got {}", input::shown(path));
   if (response(document, entry(path, 0) + "[0]"))

@@ -46,7 +46,7 @@ Heading heading(const ResponseTitle& title) {
 }
 
 struct Columns {
-  std::vector<Recorded> responses;  ///< Of arrays the largest entry is shown.
+  std::vector<Recorded> responses;  ///< Responses; of an array, the largest entry is shown.
   std::vector<Heading> headings;
   std::vector<double> factors;  ///< Factors from the unit of documents to that of the heading.
   std::vector<std::size_t> widths;

@@ -168,7 +168,7 @@ void bind_case(nb::module_& module) {
       .def(nb::init<input::Source>(), nb::arg("source"),
            "InputError with the text of `prs check` where something is wrong.")
       .def("report", &CaseSource::report, nb::arg("file"), nb::arg("results"), nb::arg("live_parts"),
-           "Writes all that the case asks for as one page; whether all of it converged.")
+           "Writes everything that the case requests as one page; whether all of it converged.")
       .def("thread_profiles", &CaseSource::thread_profiles,
            "Axial profiles of the threads as JSON, in metres: radii, and half the width of the "
            "groove at each; of the nut those of the air in it.")

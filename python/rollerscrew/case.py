@@ -234,7 +234,7 @@ class Case(Analyses):
         *,
         results: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
     ) -> bool:
-        """Writes one HTML page of all that the case asks for, to read, print and hand over.
+        """Writes one HTML page of everything that the case requests, to read, print and hand over.
 
         Of its study and its optimization the page shows what `prs study` or `prs optimize` left in
         one of the folders `results`. False where something on the page did not converge.

@@ -427,7 +427,7 @@ class Result(Record):
         *,
         results: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
     ) -> bool:
-        """Writes one HTML page of all that the case of the result asks for: `Case.report`.
+        """Writes one HTML page of everything that the case of the result requests: `Case.report`.
 
         That of a result which was read from JSON is its `resolved_input`.
         """

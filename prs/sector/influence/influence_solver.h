@@ -147,7 +147,7 @@ void settle_on_shoulder(const ThrustFace& face, ThrustFace::Touching touching, f
   if (solution.converged()) solution.status = fe::NewtonStatus::iteration_limit;
 }
 
-/// What `mesh` makes of bodies; CaseError where they cannot be meshed.
+/// Result of `mesh`; CaseError where the bodies cannot be meshed.
 template <class Mesh>
 auto meshed_or_refused(Mesh mesh) try {
   return mesh();

@@ -360,7 +360,7 @@ TEST(FitCase, OfTwoTorquesThatActAlikeOnlyASumIsTold) {
   const json combination = document(r)["unidentified"][0]["combination"];
   EXPECT_EQ(combination["kind"], "sum");
   EXPECT_THAT(combination["text"].get<std::string>(), testing::StartsWith("carrier.screw_torque + "));
-  EXPECT_THAT(fit_analysis().table(r), HasSubstr("told: carrier.screw_torque + "));
+  EXPECT_THAT(fit_analysis().table(r), HasSubstr("identified: carrier.screw_torque + "));
 }
 
 /// Lesson 34 with a softer blow, its play and friction unknown. Readings are numbers of runs with the

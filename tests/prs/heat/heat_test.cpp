@@ -273,7 +273,7 @@ TEST(SteadyHeat, HeatThatGrowsFasterThanItFlowsOffRunsAway) {
   const auto power = [](double t) { return 100.0 * std::exp((t - 300.0) / 10.0); };
   const SteadyHeat found = find_steady_heat(tight_network(), lumped(+power));
   EXPECT_EQ(found.status, HeatStatus::no_steady_state);
-  EXPECT_THAT(found.reason, ::testing::HasSubstr("warm on beyond"));
+  EXPECT_THAT(found.reason, ::testing::HasSubstr("heat up beyond"));
 }
 
 // Duty cycles -------------------------------------------------------------------------------------

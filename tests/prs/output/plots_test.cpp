@@ -211,7 +211,7 @@ TEST(Figures, MoreConfigurationsThanStylesAreLimited) {
   EXPECT_NE(figure->title.find("first 8 of 12"), std::string::npos);
 }
 
-/// As Abevi prints them: tension to the left, and a share of 1/n stands at 100/n %.
+/// Butterflies as Abevi prints them: tension to the left, and a share of 1/n stands at 100/n %.
 TEST(Plots, AButterflyOfTheLoadIsThatOfTheMeanMirrored) {
   const Result result = sweeps();
   const Figure mean = figure(solve_pictures(result), "butterfly", {});

@@ -51,7 +51,7 @@ TEST(Check, SaysWhatPerfectPartsHide) {
       if (warning.starts_with("deviations.pitch_error: parts are perfect: ")) return warning;
     return std::string();
   };
-  EXPECT_THAT(note({}), testing::MatchesRegex(".* stands off by 3 um raises the largest load of a "
+  EXPECT_THAT(note({}), testing::MatchesRegex(".* out of position by 3 um raises the largest load of a "
                                               "thread by [0-9.]+ % and takes [0-9]+ % of the life; "
                                               ".*"));
   EXPECT_EQ(note({"deviations.pitch_error.screw.linear=1 um"}), "");

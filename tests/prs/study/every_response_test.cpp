@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "prs/bodies/meshed.h"
 #include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/run/commands.h"
@@ -36,7 +37,7 @@ bool has_columns(const Case& c, Command command) {
          c.model.mechanism == ModelOptions::Mechanism::sector && c.model.loads == ModelOptions::Loads::at_rest;
 }
 
-/// Paths that are asked for together: those of one quantity, or all.
+/// Paths that are recorded together: those of one quantity, or all.
 std::map<std::string, std::vector<std::string>> groups(const Json& document, bool one_by_one) {
   std::map<std::string, std::vector<std::string>> groups;
   for (const std::string& path : response_paths(document)) {

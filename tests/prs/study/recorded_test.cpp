@@ -76,7 +76,7 @@ TEST(Recorded, ColumnsOfEntriesInARowAreAnArray) {
   EXPECT_FALSE(are_columns_of({"a", "b", "b.c", "d[1]", "e[0]", "f[0]", "g"}, columns));
 }
 
-/// What a study of these responses is refused with.
+/// Error by which a study of these responses is refused.
 std::string refusal(const std::string& study, const std::string& more = "") {
   try {
     const input::StudyInput in =
