@@ -20,7 +20,7 @@ struct Slopes {
   explicit operator bool() const { return !by_z.empty(); }
 };
 
-/// Values at one place of the unknowns, and slopes once they are asked for.
+/// Values at one place of the unknowns, and slopes once something needs them.
 struct State {
   VectorXd z;
   std::vector<VectorXd> values;            ///< Values of each fitted curve, with its offset.

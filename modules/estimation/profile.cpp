@@ -6,7 +6,7 @@
 namespace modules::fit {
 namespace {
 
-constexpr double kAtEnd = 1e-5;  // Of the profile's height above its target, in standard deviations.
+constexpr double kAtEnd = 1e-5;  // Tolerance of the profile's height above its target, in standard deviations.
 constexpr double kFirst = 1.05;  // First place to look at, over where a straight profile ends.
 constexpr int kMostPlaces = 30;
 
