@@ -9,6 +9,9 @@
 #include "prs/text.h"
 
 namespace prs {
+
+Record<GearPair> record_of(Type<GearPair>);
+
 namespace {
 
 constexpr std::string_view kTypes = "standard | inverted";
@@ -126,6 +129,7 @@ std::string heading(const ConfigurationQuery& q) {
 
 }  // namespace
 
+PRS_RECORD(GearPair, "GearPair", "Gears that fit the centre distance.", kGears);
 PRS_RECORD(Configurations, "Configurations", "Starts that give a sound mechanism, and those that do not.",
            kConfigurations);
 
@@ -196,12 +200,15 @@ std::string configurations_csv(const Configurations& all, const CsvStyle& style)
 
 std::string gear_pairs_csv(const Configurations& all, const CsvStyle& style) {
   CsvWriter csv(style);
-  csv.row("number", "roller_teeth", "body_teeth", "module_mm", "series", "working_pressure_angle_deg", "profile_shift",
-          "most_rollers");
+  csv.text("number");
+  scalar_header<GearPair>(csv);
+  csv.end_row();
   for (std::size_t k = 0; k < all.found.size(); ++k)
-    for (const GearPair& g : all.found[k].gears)
-      csv.row(k + 1, g.roller_teeth, g.body_teeth, g.module * per_si::millimetre, g.series,
-              g.working_pressure_angle * per_si::degree, g.profile_shift, g.most_rollers);
+    for (const GearPair& g : all.found[k].gears) {
+      csv.integer(k + 1);
+      scalar_fields<GearPair>(csv, &g);
+      csv.end_row();
+    }
   return csv.take();
 }
 
