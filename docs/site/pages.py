@@ -68,7 +68,7 @@ def header(file: Path) -> str:
 OTHERS = (
     r"README|CONTRIBUTING|validation|reference|"
     r"/(designers|researchers|contributors|commands|lessons|gallery|install|output)$|"
-    r"/(workbench|report|engine|new_case)$"
+    r"/(workbench|report|engine|new_case|models|glossary|tutorial_catalogue|tutorial_reference)$"
 )
 
 lessons = [lesson(case) for case in sorted((source / "configs").glob("[0-9]*.yaml"))]
@@ -116,6 +116,9 @@ write(
                 "Use",
                 [
                     "docs/install",
+                    "docs/tutorial_catalogue",
+                    "docs/tutorial_reference",
+                    "docs/models",
                     "docs/new_case",
                     "docs/commands",
                     "docs/output",
@@ -123,6 +126,7 @@ write(
                     "docs/workbench",
                     "docs/lessons",
                     "docs/gallery",
+                    "docs/glossary",
                 ],
             ),
             contents("Lessons", lessons),
