@@ -1518,9 +1518,9 @@ class ReferenceModel(Record):
 class ComputedThere(Record):
     """Results of the models at a reading of a reference.
 
-    bars: by bars
-    refined: by refined bodies
-    influence: by the influence model
+    bars: one-dimensional elements, as the paper
+    refined: one-dimensional elements with what bars miss
+    influence: grooved bodies of revolution by finite elements
     """
 
     __slots__ = ()
@@ -1872,7 +1872,7 @@ class LifeInUse(Record):
 
     l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
-    l10_hours [h]: by the clock where the file tells it (time, duration, period), else in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
@@ -1932,7 +1932,7 @@ class WeakestThread(Record):
 
     l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
-    l10_hours [h]: by the clock where the file tells it (time, duration, period), else in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
@@ -2012,7 +2012,7 @@ class DirectionLife(Record):
 
     l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
-    l10_hours [h]: by the clock where the file tells it (time, duration, period), else in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
@@ -2072,7 +2072,7 @@ class Life(Record):
     thread_loads: static | running: of a screw that turns, with friction; static safety is always static
     temperature_degC [°C]: of the parts under all loads: that at which the mean heat of the spectrum flows off, or the mean of the duty cycle; with heat
     temperature_status: converged | no_steady_state | iteration_limit; with heat
-    reliability_factor: a1 of the reliability that is asked for; ISO 281:2007, a1
+    reliability_factor: a1 of the required reliability; ISO 281:2007, a1
     modification_factor: a_ISO as the case states it; ISO 281:2007
     capacity: of the mechanism
     loads: of the history or the spectrum
@@ -2480,7 +2480,7 @@ class FittedParameter(Record):
     from: lower bound
     to: upper bound
     prior: as the file has it
-    identified: whether the data tell it
+    identified: whether the data determine it
     value: at the least objective
     standard_deviation: with `log` times the value
     low: end of the interval
@@ -2523,12 +2523,12 @@ class FitMatrix(Record):
 
 
 class FitCombination(Record):
-    """What the data tell of two parameters that they cannot tell apart.
+    """Combination that the data determine of two parameters that they cannot separate.
 
     kind: sum | product
     names: of both parameters, a and b
     factor: a + factor b, or a b^factor
-    value: which the data tell
+    value: of the combination, which the data determine
     standard_deviation: of a product times its value
     low: end of the interval
     high: end of the interval
@@ -2547,9 +2547,9 @@ class FitCombination(Record):
 
 
 class FitDirection(Record):
-    """Parameters that the data cannot tell apart.
+    """Parameters that the data cannot separate.
 
-    names: parameters that the data cannot tell apart
+    names: parameters that the data cannot separate
     direction: of the scaled parameters
     ratio: singular value over the largest
     combination: what counts of two
@@ -2699,9 +2699,9 @@ class Fit(Record):
     correlation: of the values
     covariance: in the units of the values
     singular_value_ratios: falling
-    unidentified: what the data cannot tell apart
+    unidentified: groups of parameters that the data cannot separate
     curves: readings and fit, curve by curve
-    bands: responses that were asked for, with their uncertainty
+    bands: requested responses, with their uncertainty
     starts: searches, the file's first
     """
 
@@ -2823,7 +2823,7 @@ class Relaxation(Record):
 
 
 class RequiredForce(Record):
-    """A force that the motion asks for at its speed.
+    """A force that the motion requires at its speed.
 
     name: of the motion
     speed_mm_per_s [mm/s]: largest of the segment
