@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, Literal, Self, overload
 
 from rollerscrew import _engine
 from rollerscrew.designs import (
-    COMMAND_BLOCKS,
     Designs,
     OnError,
     SourceParts,
@@ -24,8 +23,6 @@ from rollerscrew.designs import (
     evaluate,
     history_columns,
     parts_of,
-    response_in,
-    response_needs,
     study_rows,
     thread_count,
 )
@@ -33,6 +30,7 @@ from rollerscrew.errors import InputError
 from rollerscrew.frames import frame_of
 from rollerscrew.function import Function
 from rollerscrew.progress import Progress, progress_callback
+from rollerscrew.reasons import COMMANDS, Reasons, response_in
 from rollerscrew.record import Record, Result
 from rollerscrew.records import Command
 from rollerscrew.results import (
@@ -373,6 +371,9 @@ class Case(Analyses):
         as a column where it has such a name, and as the time where it holds times. `options` are
         those of the block `life.history`: `interval`, `hysteresis`, `bins`; and of `life`, of which
         a case without that block needs the roller's `position` on the nut.
+
+        Warns where the history has no time and hours are therefore those of motion at
+        `operation.speed`.
         """
         if history is None and options:
             raise TypeError(
@@ -380,7 +381,16 @@ class Case(Analyses):
                 "`with_` changes that of the case"
             )
         case = self if history is None else self._with_history(history, options)
-        return LifeResult._answer(case, "life")
+        result = LifeResult._answer(case, "life")
+        own = case["life"] if history is not None and "operation.speed" in case else {"period": 0}
+        if "period" not in own and not {"time", "interval"} & set(own["history"]):
+            warnings.warn(
+                "history: got no time; hours are those of motion at operation.speed, "
+                f'{case["operation.speed"]}; give `time`, such as {{"time": (times, "s")}}, or the '
+                'time between two rows, `interval="0.1 s"`',
+                stacklevel=2,
+            )
+        return result
 
     def _with_history(self, history: Any, options: Mapping[str, Any]) -> Self:
         columns = history_columns(history)
@@ -549,24 +559,23 @@ class Case(Analyses):
     def responses(self, command: Command | Literal["preload"] = "solve") -> pd.DataFrame:
         """What `evaluate` may answer for this case by a command, one row per path.
 
-        `defined` says whether the case has it, `needs` what it must state for what it has not.
+        `defined` says whether the command answers it for this case; where not, `needs` says which
+        other command does, or what the case must state.
         """
-        if command not in (*COMMAND_BLOCKS, "preload"):
-            known = " | ".join((*COMMAND_BLOCKS, "preload"))
-            raise ValueError(f"command: got {command!r}; expected {known}")
+        if command not in COMMANDS:
+            raise ValueError(f"command: got {command!r}; expected {' | '.join(COMMANDS)}")
         result: Result = getattr(self, command)()
         if command == "preload":
             return frame_of(_preload_responses(result["preload"], "preload"))
+        reasons = Reasons(self, command)
         rows = []
         for path in _engine.known_responses():
             title, unit = _engine.response_title(path)
             defined = response_in(result, path) is not None
-            needs = "" if defined else response_needs(path)
-            block = path.partition(".")[0]
-            if defined or needs or block in result or block in COMMAND_BLOCKS[command]:
-                rows.append(
-                    {"path": path, "unit": unit, "title": title, "defined": defined, "needs": needs}
-                )
+            needs = "" if defined else reasons.of(path)
+            rows.append(
+                {"path": path, "unit": unit, "title": title, "defined": defined, "needs": needs}
+            )
         return frame_of(rows)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -21,7 +21,8 @@ def fit(
 
     `data` has the readings by the names of the curves, as frames or arrays by the names of columns;
     such curves need no `file`. A curve that is neither in `data` nor has a `file` is read from the
-    file of its name, `torque.csv`, in the folder of the case. `options` are `level`, `starts`, `profile` and `bands`.
+    file of its name, `torque.csv`, in the folder of the case. `options` are
+    `level`, `starts`, `profile` and `bands`.
 
     >>> rs.fit(case, [{"path": "friction.coulomb", "from": 0.02, "to": 0.4}],
     ...     [{"name": "torque", "response": "slip.torque_screw_Nm", "measured":

@@ -256,7 +256,14 @@ class Function:
             return _engine.Study(source_of(self._study_parts(self._plan())))
         except InputError as error:
             told = (
-                told_of_arguments(each, self.inputs, self._responses, self.command, lambda *_: None)
+                told_of_arguments(
+                    each,
+                    self.inputs,
+                    self._responses,
+                    self.command,
+                    lambda: self._case,
+                    lambda *_: None,
+                )
                 for each in error.errors
             )
             raise InputError("\n".join(told)) from None

@@ -169,6 +169,11 @@ def test_histories_of_arrays() -> None:
     assert case.life(history={**history, "force": (2.0 * force, "kN")}).life != result.life
     with pytest.raises(TypeError, match="got no unit"):
         case.life(history={"force": force})
+    runs = case.with_({"operation": {"speed": "600 rpm"}})
+    with pytest.warns(UserWarning, match="hours are those of motion at operation.speed, 600 rpm"):
+        assert runs.life(history=history).life.system.l10_hours
+    timed = runs.life(history=history, interval="0.5 s").life.system.l10_hours
+    assert timed == pytest.approx(expected.system.l10_hours, rel=0.01)
 
 
 # What is not there says where it is
