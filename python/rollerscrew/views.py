@@ -597,6 +597,8 @@ def _fit_note(one: FittedParameter) -> str:
     """What an interval says of a value that counts as identified."""
     if not one.identified:
         return "not identified: the data do not tell it"
+    if one.at_bound:
+        return f"ends at its bound `{one.at_bound}`"
     if one.low is None or one.high is None:
         return ""
     start, low, high, end = one["from"] if "from" in one else -math.inf, one.low, one.high, one.to
