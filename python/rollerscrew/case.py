@@ -28,7 +28,7 @@ from rollerscrew.designs import (
 )
 from rollerscrew.errors import InputError
 from rollerscrew.frames import frame_of
-from rollerscrew.function import Function
+from rollerscrew.function import Function, function_of
 from rollerscrew.progress import Progress, progress_callback
 from rollerscrew.reasons import COMMANDS, Reasons, response_in
 from rollerscrew.record import Record, Result
@@ -116,6 +116,9 @@ class Case(Analyses):
         Paths are those of `--set`; texts are taken as they would stand in the file. Whole blocks
         may be given by their names, and take the place of what stands there:
         `case.with_(operation={"speed": "400 rpm"})`.
+
+        Values that `rollerscrew.new` assumed stay as they are; where they cannot stand with the
+        change, the InputError has the call of `new` that makes the case anew.
         """
         source = self._case.source
         changed = [*_overrides({} if values is None else values), *_overrides(blocks)]
@@ -125,6 +128,8 @@ class Case(Analyses):
         try:
             return self._from_source(changed_source)
         except InputError as error:
+            if anew := _made_anew(source.text, [*source.overrides, *changed], error):
+                raise InputError(anew) from None
             for name, block in blocks.items():
                 if isinstance(block, Mapping) and block and name in self:
                     path = f"{name}.{next(iter(block))}"
@@ -541,8 +546,8 @@ class Case(Analyses):
     def function(
         self,
         inputs: Sequence[str] | Mapping[str, str],
-        responses: Sequence[str],
-        command: Command = "solve",
+        responses: Sequence[str] | Mapping[Command, Sequence[str]],
+        command: Command | None = None,
     ) -> Function:
         """The case as a function of numbers, compiled once.
 
@@ -553,8 +558,11 @@ class Case(Analyses):
         `f(x)` of the n inputs of one design gives its m responses, of k x n gives k x m. Numbers
         are in the units of the documents, `f.units`: mm, N, deg; `{path: unit}` asks for others.
         `f.designs(x)` has status and reason of designs that fail.
+
+        Without `command` each response is that of the command that has it, `solve` where several
+        do; `responses` may also name them: `{"life": ["life.system.l10_hours"], "solve": [..]}`.
         """
-        return Function(self, inputs, responses, command)
+        return function_of(self, inputs, responses, command)
 
     def responses(self, command: Command | Literal["preload"] = "solve") -> pd.DataFrame:
         """What `evaluate` may answer for this case by a command, one row per path.
@@ -613,6 +621,50 @@ def _restore(
     files: dict[str, bytes] | None,
 ) -> Case:
     return kind._from_source(_source(name, text, overrides, folder, files))
+
+
+#: What the head of a case that `new` made calls given: the argument, and where it stands.
+_OF_NEW = {
+    "screw diameter": ("screw_diameter", "mechanism.pitch_diameter.screw"),
+    "lead": ("lead", "mechanism.lead"),
+    "starts": ("starts", "mechanism.starts.screw"),
+    "rollers": ("rollers", "mechanism.rollers"),
+    "nut diameter": ("nut_diameter", "structure.nut.outer_diameter"),
+    "nut length": ("nut_length", "structure.nut.length"),
+    "profile radius": ("roller_profile_radius", "mechanism.profile.roller.convex"),
+    "load": ("load", "load_cases[0].axial_force"),
+    "speed": ("speed", "operation.speed"),
+    "lubricant": ("lubricant", "lubricant.name"),
+    "its temperature": ("temperature", "lubricant.temperature"),
+}
+
+_HEAD_OF_NEW = re.compile(r"# An? (standard|inverted) .*\n#\n# Given: ((?:.*\n# )+?)What was not")
+
+
+def _made_anew(text: str, overrides: list[str], error: InputError) -> str:
+    """An error about a value that `new` assumed, with the call that makes the case anew."""
+    head = _HEAD_OF_NEW.match(text)
+    changed = dict(each.split("=", 1) for each in overrides)
+    if head is None or any(error.path.startswith(path) for path in changed):
+        return ""
+    arguments: dict[str, str] = {}
+    for item in head[2].replace("\n# ", " ").strip(" .").split(", "):
+        for words, (argument, _) in _OF_NEW.items():
+            if re.fullmatch(rf"{words} .*|\d+ {words}", item):
+                arguments[argument] = item.removeprefix(words).removesuffix(words).strip()
+    for argument, path in _OF_NEW.values():
+        if path in changed:
+            arguments[argument] = changed.pop(path)
+    if len(changed) == len(overrides):
+        return ""
+    call = f"rollerscrew.new({head[1]!r}"
+    for argument, value in arguments.items():
+        call += f", {argument}={value if value.isdigit() else repr(value)}"
+    call += f").with_({changed})" if changed else ")"
+    return "\n".join(
+        f"{line}; it was assumed for the values of before: make the case anew, `{call}`"
+        for line in str(error).splitlines()
+    )
 
 
 def _csv_of(name: str, columns: Any) -> bytes:

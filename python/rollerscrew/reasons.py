@@ -214,6 +214,8 @@ class Reasons:
         for begin, inputs in _NEEDED:
             for needed in inputs if re.match(begin, path) else ():
                 needed = needed.replace("{load_case}", load_case)
+                if needed.startswith("materials.") and not self._has(needed.rpartition(".")[0]):
+                    needed = f"materials.{needed.rpartition('.')[2]}"  # One value of all parts.
                 if needed not in told and not self._has(needed):
                     told.add(needed)
                     yield needed
@@ -222,7 +224,7 @@ class Reasons:
         path, _, value = needed.partition(": ")
         steps = re.split(r"\.|\[|\]", path)
         found = _value_at(self._input, steps)
-        if found is None and steps[0] == "materials":  # One value may be that of all parts.
+        if found is None and steps[0] == "materials" and len(steps) == 3:
             found = _value_at(self._input, ["materials", steps[-1]])
         return found is not None and value in ("", found)
 
