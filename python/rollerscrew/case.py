@@ -466,6 +466,9 @@ class Case(Analyses):
     ) -> OptimizationResult:
         """Searches the designs that the block `optimize` of the case aims at.
 
+        Limits of `constraints` may have a unit, which is converted to that of the response:
+        `{"response": "screw.peak_pressure_MPa.max", "at_most": (4, "GPa")}`.
+
         >>> case.with_(optimize={"command": "solve", "variables": [{"path": "mechanism.flank_angle",
         ...     "from": "40 deg", "to": "50 deg"}], "objectives": [{"minimize":
         ...     "screw.peak_pressure_MPa.max"}]}).optimize().best_case
