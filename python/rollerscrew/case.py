@@ -95,13 +95,42 @@ class Case(Analyses):
     def from_yaml(
         cls, file: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None
     ) -> Self:
-        """The case of a file, with values replaced as `--set` does it."""
+        """The case of a file, with values replaced as `--set` does it.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            The case file.
+        set : dict, optional
+            Values by their paths.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        InputError, MissingFileError
+            Where something in the file is wrong, or it is not there.
+        """
         overrides = _overrides({} if set is None else set)
         return cls._from_source(_engine.Source.load(_file_name(file), overrides))
 
     @classmethod
     def from_text(cls, text: str, *, name: str = _FILE) -> Self:
-        """The case of a YAML text; `name` stands for the file in messages."""
+        """The case of a YAML text; `name` stands for the file in messages.
+
+        Parameters
+        ----------
+        text : str
+            YAML, as a case file has it.
+        name : str, optional
+            Name in messages; its folder is where files are looked for.
+
+        Returns
+        -------
+        Case
+        """
         return cls._from_source(_source(name, text, [], _folder(name)))
 
     @classmethod
@@ -119,6 +148,22 @@ class Case(Analyses):
 
         Values that `rollerscrew.new` assumed stay as they are; where they cannot stand with the
         change, the InputError has the call of `new` that makes the case anew.
+
+        Parameters
+        ----------
+        values : dict, optional
+            Values by their paths: texts with a unit, `(5, "mm")`, pint quantities, numbers, lists.
+        **blocks : dict
+            Whole blocks by their names.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        InputError
+            Where a value cannot stand at its path.
         """
         source = self._case.source
         changed = [*_overrides({} if values is None else values), *_overrides(blocks)]
@@ -166,11 +211,33 @@ class Case(Analyses):
         return True
 
     def inputs(self) -> pd.DataFrame:
-        """Every input of the case: path, value, whether it is a default, and what it rests on."""
+        """Every input of the case: path, value, whether it is a default, and what it rests on.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
         return self.check().to_frame()
 
     def number(self, path: str, unit: str = "") -> float:
-        """The number at a path in a unit: `case.number("mechanism.lead", "mm")`."""
+        """The number at a path in a unit: `case.number("mechanism.lead", "mm")`.
+
+        Parameters
+        ----------
+        path : str
+            Path of an input that is a number.
+        unit : str, optional
+            Unit of the answer; of a bare number none.
+
+        Returns
+        -------
+        float
+
+        Raises
+        ------
+        ValueError
+            Where the value has no such unit.
+        """
         value = self[path]
         number = _engine.number_in(value if isinstance(value, str) else repr(value), unit)
         if number is None:
@@ -190,6 +257,16 @@ class Case(Analyses):
         Written to `file`, if one is given, for `Case.from_yaml`; the files that the case names are
         written beside it.
         Raises ValueError where a change has no place of its own in the text, as a new list has.
+
+        Parameters
+        ----------
+        file : str or os.PathLike, optional
+            Where the text is written.
+
+        Returns
+        -------
+        str or None
+            The text, where no file is given.
         """
         source = self._case.source
         text = source.written()
@@ -242,6 +319,17 @@ class Case(Analyses):
         Of its study and its optimization the page shows what `prs study` or `prs optimize` left in
         one of the folders `results`. False where something on the page did not converge.
         Warns where the page is static because the package has no engine of live pages.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            The page, `.html`.
+        results : path or list of paths, optional
+            Folders of results of the command line.
+
+        Returns
+        -------
+        bool
         """
         from rollerscrew.library import live_parts_folder
 
@@ -261,6 +349,17 @@ class Case(Analyses):
         """Writes the page of `report` and opens it in the browser, where its sliders move values.
 
         Without `file` into a new folder for temporary files. Returns where the page is.
+
+        Parameters
+        ----------
+        file : str or os.PathLike, optional
+            The page, `.html`.
+        results : path or list of paths, optional
+            Folders of results of the command line.
+
+        Returns
+        -------
+        pathlib.Path
         """
         import tempfile
         import webbrowser
@@ -359,6 +458,24 @@ class Case(Analyses):
 
         A design that no mechanism can have, or that does not converge, is a row with its reason.
         The plan `derivatives` gives a DerivativesResult.
+
+        Parameters
+        ----------
+        executor : concurrent.futures.Executor, optional
+            Answers the designs in place of threads.
+        threads : int, optional
+            1 to 4096; without it one per processor.
+        progress : bool or callable, optional
+            Called with the designs done and those of the whole.
+
+        Returns
+        -------
+        StudyResult or DerivativesResult
+
+        Raises
+        ------
+        InputError
+            Where the case has no block `study`.
         """
         study, rows = study_rows(self._case.source, executor, threads, progress)
         if rows is None:
@@ -379,6 +496,17 @@ class Case(Analyses):
 
         Warns where the history has no time and hours are therefore those of motion at
         `operation.speed`.
+
+        Parameters
+        ----------
+        history : dict or pandas.DataFrame, optional
+            Arrays with their units.
+        **options : Any
+            Keys of `life.history` and of `life`.
+
+        Returns
+        -------
+        LifeResult
         """
         if history is None and options:
             raise TypeError(
@@ -421,6 +549,17 @@ class Case(Analyses):
         `options` are the keys of that block: `tolerance="10 % of the mean"`.
 
         >>> case.compare({"thread": [1, 2], "screw.load_rate_percent": [7.9, 6.9]})
+
+        Parameters
+        ----------
+        reference : dict, pandas.DataFrame or list of them, optional
+            Columns by their names.
+        **options : Any
+            Keys of the block `references`.
+
+        Returns
+        -------
+        CompareResult
         """
         return CompareResult._answer(
             self if reference is None else self._with_references(reference, options), "compare"
@@ -442,6 +581,15 @@ class Case(Analyses):
 
         `data` takes the place of the files of curves, by their names: a frame, or arrays by the
         names of columns.
+
+        Parameters
+        ----------
+        data : dict, optional
+            Readings by the names of the curves.
+
+        Returns
+        -------
+        FitResult
         """
         return FitResult._answer(self if data is None else self._with_curves(data), "fit")
 
@@ -472,6 +620,17 @@ class Case(Analyses):
         >>> case.with_(optimize={"command": "solve", "variables": [{"path": "mechanism.flank_angle",
         ...     "from": "40 deg", "to": "50 deg"}], "objectives": [{"minimize":
         ...     "screw.peak_pressure_MPa.max"}]}).optimize().best_case
+
+        Parameters
+        ----------
+        threads : int, optional
+            1 to 4096; without it one per processor.
+        progress : bool or callable, optional
+            Called with the designs done and those of the whole.
+
+        Returns
+        -------
+        OptimizationResult
         """
         source = self._case.source
         document, chosen = _engine.optimize(
@@ -511,6 +670,25 @@ class Case(Analyses):
         Raises InputError where a value cannot stand at its path, and ValueError for a number that
         is not finite, which with `on_error="row"` are rows with their reason; and ValueError for
         lengths that differ.
+
+        Parameters
+        ----------
+        inputs : dict or pandas.DataFrame
+            Values by their paths; arrays have one length.
+        responses : list of str, optional
+            Paths into the document of the command.
+        command : str, optional
+            contact, solve, slip, life, measures, response or preload.
+        threads : int, optional
+            1 to 4096; without it one per processor.
+        progress : bool or callable, optional
+            Called with the designs done and those of the whole.
+        on_error : {"raise", "row"}, optional
+            What a design does whose inputs cannot stand in the case.
+
+        Returns
+        -------
+        Designs
         """
         return evaluate(self, inputs, responses, command, threads, progress, on_error)
 
@@ -527,6 +705,24 @@ class Case(Analyses):
 
         `inputs` are those of `evaluate`, or an iterable of such batches, of which one is in memory
         at a time. Raises ValueError where there is no design. Needs pyarrow.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            The Parquet file.
+        inputs : dict, pandas.DataFrame or iterable of them
+            As `evaluate` takes them.
+        responses : list of str, optional
+            As `evaluate` takes them.
+        batch : int, optional
+            Designs that are in memory at a time.
+        **options : Any
+            Others of `evaluate`.
+
+        Returns
+        -------
+        int
+            How many designs were written.
         """
         import pyarrow
         import pyarrow.parquet
@@ -564,6 +760,24 @@ class Case(Analyses):
 
         Without `command` each response is that of the command that has it, `solve` where several
         do; `responses` may also name them: `{"life": ["life.system.l10_hours"], "solve": [..]}`.
+
+        Parameters
+        ----------
+        inputs : list of str, or dict of paths and units
+            What x has, in this order.
+        responses : list of str, or dict of commands and such lists
+            What f(x) has, in this order.
+        command : str, optional
+            contact, solve, slip, life, measures or response.
+
+        Returns
+        -------
+        Function
+
+        Raises
+        ------
+        InputError, ValueError
+            Where a path is none, or the case does not define the response; the message says why.
         """
         return function_of(self, inputs, responses, command)
 
@@ -572,6 +786,16 @@ class Case(Analyses):
 
         `defined` says whether the command answers it for this case; where not, `needs` says which
         other command does, or what the case must state.
+
+        Parameters
+        ----------
+        command : str, optional
+            contact, solve, slip, life, measures, response or preload.
+
+        Returns
+        -------
+        pandas.DataFrame
+            With the columns path, unit, title, defined, needs.
         """
         if command not in COMMANDS:
             raise ValueError(f"command: got {command!r}; expected {' | '.join(COMMANDS)}")

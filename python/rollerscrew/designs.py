@@ -195,7 +195,22 @@ class Designs:
         return np.asarray(self.status == "converged", dtype=np.bool_)
 
     def case(self, design: int) -> Case:
-        """The case of one design, as `with_` would give it."""
+        """The case of one design, as `with_` would give it.
+
+        Parameters
+        ----------
+        design : int
+            Place of the design, from 0.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        ValueError
+            Of designs that were read from JSON.
+        """
         from rollerscrew.case import Case
 
         if self.origin is None:
@@ -207,6 +222,23 @@ class Designs:
         """The place of the converged design with the smallest value of a response, or the largest.
 
         >>> designs.case(designs.best("axial_stiffness_N_per_um", largest=True))
+
+        Parameters
+        ----------
+        response : str
+            A response that is a number.
+        largest : bool, optional
+            Whether the largest value is the best.
+
+        Returns
+        -------
+        int
+            Place of the design, from 0.
+
+        Raises
+        ------
+        ValueError
+            Where no design converged with a value.
         """
         values = self[response]
         if values.ndim > 1:
@@ -229,13 +261,35 @@ class Designs:
         """Converged designs as points: an input or response over another, coloured by a third.
 
         `label` and `color` as `rollerscrew.plots.draw` has them.
+
+        Parameters
+        ----------
+        x, y : str
+            An input or a response.
+        colour : str, optional
+            An input or a response.
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; without it in a new figure.
+        label : str, optional
+            Name in the legend.
+        color : optional
+            A colour of matplotlib.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
         """
         from rollerscrew import plots
 
         return plots.draw(_cloud(self, x, y, colour), ax, label=label, color=color)
 
     def to_frame(self) -> pd.DataFrame:
-        """Inputs, status, reason and responses, one row per design: the columns of `study.csv`."""
+        """Inputs, status, reason and responses, one row per design: the columns of `study.csv`.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
         import pandas as pd
 
         index = self.inputs.index
@@ -250,6 +304,10 @@ class Designs:
         Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads
         have the dimension `thread`; the number of the first thread is 1. Variables have the
         attributes `units` and `long_name`, the whole `prs_version`, `case_file` and `input_sha256`.
+
+        Returns
+        -------
+        xarray.Dataset
         """
         import xarray
 

@@ -113,7 +113,22 @@ class Function:
         return values[0] if numbers.ndim == 1 else values
 
     def designs(self, x: npt.ArrayLike) -> Designs:
-        """The designs with their status and reasons."""
+        """The designs with their status and reasons.
+
+        Parameters
+        ----------
+        x : array of n numbers, or of k x n
+            Inputs in `units`.
+
+        Returns
+        -------
+        Designs
+
+        Raises
+        ------
+        ValueError
+            Where the shape is another one.
+        """
         import pandas as pd
 
         rows = self._rows(np.asarray(x, dtype=np.float64))
@@ -132,6 +147,16 @@ class Function:
         Exact by the tangent of the equilibrium where the plan `derivatives` of studies has them;
         else differences of fourth order, at a bound those of one side. Raises ValueError for
         inputs that are counts.
+
+        Parameters
+        ----------
+        x : array of n numbers
+            Inputs in `units`.
+
+        Returns
+        -------
+        numpy.ndarray
+            m x n, units of the responses over `units`.
         """
         numbers = np.asarray(x, dtype=np.float64)
         if numbers.shape != (len(self.inputs),):
