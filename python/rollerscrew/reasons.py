@@ -81,7 +81,10 @@ _NEEDED: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"measures\.system_stiffness", ("measures.system",)),
     (r"measures\.l10_hours", ("operation.speed",)),
     (r"measures\.back_driving_efficiency_by_slip", ("friction", "operation.speed")),
-    (r"measures\.(envelope|material|section|nut_|roller_[wi]|yang|force_d|weight)", ("structure",)),
+    (
+        r"measures\.(envelope|material|screw_|shaft_s|buckling|critical|section|nut_|roller_[wi]|yang|force_d|weight)",
+        ("structure",),
+    ),
     (
         r"measures\.(yang|largest_load_rate|flank_edge_margin|solved)"
         r"|(axial_[ds]|position|iterations|relative_r|tangent|static|running|screw|nut)"

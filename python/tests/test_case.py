@@ -524,4 +524,4 @@ def test_values_with_units_are_alike_in_all_blocks(tmp_path: Path) -> None:
                 assert changed["optimize.constraints[0].at_most"] == 4000
             assert repr(changed[name]).replace(".0 deg", " deg") == repr(expected[name])
     with pytest.raises(rs.InputError, match="at_most: got 4 mm"):
-        base.with_({"optimize": _blocks("40 deg", "50 deg", "4 mm")["optimize"]})
+        base.with_({"optimize": _blocks("40 deg", "50 deg", "4 mm")["optimize"]}).check()
