@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, Literal, Self, overload
 
 from rollerscrew import _engine
 from rollerscrew.designs import (
-    COMMAND_BLOCKS,
     Designs,
     OnError,
     SourceParts,
@@ -24,15 +23,14 @@ from rollerscrew.designs import (
     evaluate,
     history_columns,
     parts_of,
-    response_in,
-    response_needs,
     study_rows,
     thread_count,
 )
 from rollerscrew.errors import InputError
 from rollerscrew.frames import frame_of
-from rollerscrew.function import Function
+from rollerscrew.function import Function, function_of
 from rollerscrew.progress import Progress, progress_callback
+from rollerscrew.reasons import COMMANDS, Reasons, response_in
 from rollerscrew.record import Record, Result
 from rollerscrew.records import Command
 from rollerscrew.results import (
@@ -97,13 +95,42 @@ class Case(Analyses):
     def from_yaml(
         cls, file: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None
     ) -> Self:
-        """The case of a file, with values replaced as `--set` does it."""
+        """The case of a file, with values replaced as `--set` does it.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            The case file.
+        set : dict, optional
+            Values by their paths.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        InputError, MissingFileError
+            Where something in the file is wrong, or it is not there.
+        """
         overrides = _overrides({} if set is None else set)
         return cls._from_source(_engine.Source.load(_file_name(file), overrides))
 
     @classmethod
     def from_text(cls, text: str, *, name: str = _FILE) -> Self:
-        """The case of a YAML text; `name` stands for the file in messages."""
+        """The case of a YAML text; `name` stands for the file in messages.
+
+        Parameters
+        ----------
+        text : str
+            YAML, as a case file has it.
+        name : str, optional
+            Name in messages; its folder is where files are looked for.
+
+        Returns
+        -------
+        Case
+        """
         return cls._from_source(_source(name, text, [], _folder(name)))
 
     @classmethod
@@ -118,6 +145,25 @@ class Case(Analyses):
         Paths are those of `--set`; texts are taken as they would stand in the file. Whole blocks
         may be given by their names, and take the place of what stands there:
         `case.with_(operation={"speed": "400 rpm"})`.
+
+        Values that `rollerscrew.new` assumed stay as they are; where they cannot stand with the
+        change, the InputError has the call of `new` that makes the case anew.
+
+        Parameters
+        ----------
+        values : dict, optional
+            Values by their paths: texts with a unit, `(5, "mm")`, pint quantities, numbers, lists.
+        **blocks : dict
+            Whole blocks by their names.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        InputError
+            Where a value cannot stand at its path.
         """
         source = self._case.source
         changed = [*_overrides({} if values is None else values), *_overrides(blocks)]
@@ -127,6 +173,8 @@ class Case(Analyses):
         try:
             return self._from_source(changed_source)
         except InputError as error:
+            if anew := _made_anew(source.text, [*source.overrides, *changed], error):
+                raise InputError(anew) from None
             for name, block in blocks.items():
                 if isinstance(block, Mapping) and block and name in self:
                     path = f"{name}.{next(iter(block))}"
@@ -163,11 +211,33 @@ class Case(Analyses):
         return True
 
     def inputs(self) -> pd.DataFrame:
-        """Every input of the case: path, value, whether it is a default, and what it rests on."""
+        """Every input of the case: path, value, whether it is a default, and what it rests on.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
         return self.check().to_frame()
 
     def number(self, path: str, unit: str = "") -> float:
-        """The number at a path in a unit: `case.number("mechanism.lead", "mm")`."""
+        """The number at a path in a unit: `case.number("mechanism.lead", "mm")`.
+
+        Parameters
+        ----------
+        path : str
+            Path of an input that is a number.
+        unit : str, optional
+            Unit of the answer; of a bare number none.
+
+        Returns
+        -------
+        float
+
+        Raises
+        ------
+        ValueError
+            Where the value has no such unit.
+        """
         value = self[path]
         number = _engine.number_in(value if isinstance(value, str) else repr(value), unit)
         if number is None:
@@ -187,6 +257,16 @@ class Case(Analyses):
         Written to `file`, if one is given, for `Case.from_yaml`; the files that the case names are
         written beside it.
         Raises ValueError where a change has no place of its own in the text, as a new list has.
+
+        Parameters
+        ----------
+        file : str or os.PathLike, optional
+            Where the text is written.
+
+        Returns
+        -------
+        str or None
+            The text, where no file is given.
         """
         source = self._case.source
         text = source.written()
@@ -239,6 +319,17 @@ class Case(Analyses):
         Of its study and its optimization the page shows what `prs study` or `prs optimize` left in
         one of the folders `results`. False where something on the page did not converge.
         Warns where the page is static because the package has no engine of live pages.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            The page, `.html`.
+        results : path or list of paths, optional
+            Folders of results of the command line.
+
+        Returns
+        -------
+        bool
         """
         from rollerscrew.library import live_parts_folder
 
@@ -258,6 +349,17 @@ class Case(Analyses):
         """Writes the page of `report` and opens it in the browser, where its sliders move values.
 
         Without `file` into a new folder for temporary files. Returns where the page is.
+
+        Parameters
+        ----------
+        file : str or os.PathLike, optional
+            The page, `.html`.
+        results : path or list of paths, optional
+            Folders of results of the command line.
+
+        Returns
+        -------
+        pathlib.Path
         """
         import tempfile
         import webbrowser
@@ -356,6 +458,24 @@ class Case(Analyses):
 
         A design that no mechanism can have, or that does not converge, is a row with its reason.
         The plan `derivatives` gives a DerivativesResult.
+
+        Parameters
+        ----------
+        executor : concurrent.futures.Executor, optional
+            Answers the designs in place of threads.
+        threads : int, optional
+            1 to 4096; without it one per processor.
+        progress : bool or callable, optional
+            Called with the designs done and those of the whole.
+
+        Returns
+        -------
+        StudyResult or DerivativesResult
+
+        Raises
+        ------
+        InputError
+            Where the case has no block `study`.
         """
         study, rows = study_rows(self._case.source, executor, threads, progress)
         if rows is None:
@@ -373,6 +493,20 @@ class Case(Analyses):
         as a column where it has such a name, and as the time where it holds times. `options` are
         those of the block `life.history`: `interval`, `hysteresis`, `bins`; and of `life`, of which
         a case without that block needs the roller's `position` on the nut.
+
+        Warns where the history has no time and hours are therefore those of motion at
+        `operation.speed`.
+
+        Parameters
+        ----------
+        history : dict or pandas.DataFrame, optional
+            Arrays with their units.
+        **options : Any
+            Keys of `life.history` and of `life`.
+
+        Returns
+        -------
+        LifeResult
         """
         if history is None and options:
             raise TypeError(
@@ -380,7 +514,16 @@ class Case(Analyses):
                 "`with_` changes that of the case"
             )
         case = self if history is None else self._with_history(history, options)
-        return LifeResult._answer(case, "life")
+        result = LifeResult._answer(case, "life")
+        own = case["life"] if history is not None and "operation.speed" in case else {"period": 0}
+        if "period" not in own and not {"time", "interval"} & set(own["history"]):
+            warnings.warn(
+                "history: got no time; hours are those of motion at operation.speed, "
+                f'{case["operation.speed"]}; give `time`, such as {{"time": (times, "s")}}, or the '
+                'time between two rows, `interval="0.1 s"`',
+                stacklevel=2,
+            )
+        return result
 
     def _with_history(self, history: Any, options: Mapping[str, Any]) -> Self:
         columns = history_columns(history)
@@ -406,6 +549,17 @@ class Case(Analyses):
         `options` are the keys of that block: `tolerance="10 % of the mean"`.
 
         >>> case.compare({"thread": [1, 2], "screw.load_rate_percent": [7.9, 6.9]})
+
+        Parameters
+        ----------
+        reference : dict, pandas.DataFrame or list of them, optional
+            Columns by their names.
+        **options : Any
+            Keys of the block `references`.
+
+        Returns
+        -------
+        CompareResult
         """
         return CompareResult._answer(
             self if reference is None else self._with_references(reference, options), "compare"
@@ -427,6 +581,15 @@ class Case(Analyses):
 
         `data` takes the place of the files of curves, by their names: a frame, or arrays by the
         names of columns.
+
+        Parameters
+        ----------
+        data : dict, optional
+            Readings by the names of the curves.
+
+        Returns
+        -------
+        FitResult
         """
         return FitResult._answer(self if data is None else self._with_curves(data), "fit")
 
@@ -451,9 +614,23 @@ class Case(Analyses):
     ) -> OptimizationResult:
         """Searches the designs that the block `optimize` of the case aims at.
 
+        Limits of `constraints` may have a unit, which is converted to that of the response:
+        `{"response": "screw.peak_pressure_MPa.max", "at_most": (4, "GPa")}`.
+
         >>> case.with_(optimize={"command": "solve", "variables": [{"path": "mechanism.flank_angle",
         ...     "from": "40 deg", "to": "50 deg"}], "objectives": [{"minimize":
         ...     "screw.peak_pressure_MPa.max"}]}).optimize().best_case
+
+        Parameters
+        ----------
+        threads : int, optional
+            1 to 4096; without it one per processor.
+        progress : bool or callable, optional
+            Called with the designs done and those of the whole.
+
+        Returns
+        -------
+        OptimizationResult
         """
         source = self._case.source
         document, chosen = _engine.optimize(
@@ -493,6 +670,25 @@ class Case(Analyses):
         Raises InputError where a value cannot stand at its path, and ValueError for a number that
         is not finite, which with `on_error="row"` are rows with their reason; and ValueError for
         lengths that differ.
+
+        Parameters
+        ----------
+        inputs : dict or pandas.DataFrame
+            Values by their paths; arrays have one length.
+        responses : list of str, optional
+            Paths into the document of the command.
+        command : str, optional
+            contact, solve, slip, life, measures, response or preload.
+        threads : int, optional
+            1 to 4096; without it one per processor.
+        progress : bool or callable, optional
+            Called with the designs done and those of the whole.
+        on_error : {"raise", "row"}, optional
+            What a design does whose inputs cannot stand in the case.
+
+        Returns
+        -------
+        Designs
         """
         return evaluate(self, inputs, responses, command, threads, progress, on_error)
 
@@ -509,6 +705,24 @@ class Case(Analyses):
 
         `inputs` are those of `evaluate`, or an iterable of such batches, of which one is in memory
         at a time. Raises ValueError where there is no design. Needs pyarrow.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            The Parquet file.
+        inputs : dict, pandas.DataFrame or iterable of them
+            As `evaluate` takes them.
+        responses : list of str, optional
+            As `evaluate` takes them.
+        batch : int, optional
+            Designs that are in memory at a time.
+        **options : Any
+            Others of `evaluate`.
+
+        Returns
+        -------
+        int
+            How many designs were written.
         """
         import pyarrow
         import pyarrow.parquet
@@ -531,8 +745,8 @@ class Case(Analyses):
     def function(
         self,
         inputs: Sequence[str] | Mapping[str, str],
-        responses: Sequence[str],
-        command: Command = "solve",
+        responses: Sequence[str] | Mapping[Command, Sequence[str]],
+        command: Command | None = None,
     ) -> Function:
         """The case as a function of numbers, compiled once.
 
@@ -543,30 +757,60 @@ class Case(Analyses):
         `f(x)` of the n inputs of one design gives its m responses, of k x n gives k x m. Numbers
         are in the units of the documents, `f.units`: mm, N, deg; `{path: unit}` asks for others.
         `f.designs(x)` has status and reason of designs that fail.
+
+        Without `command` each response is that of the command that has it, `solve` where several
+        do; `responses` may also name them: `{"life": ["life.system.l10_hours"], "solve": [..]}`.
+
+        Parameters
+        ----------
+        inputs : list of str, or dict of paths and units
+            What x has, in this order.
+        responses : list of str, or dict of commands and such lists
+            What f(x) has, in this order.
+        command : str, optional
+            contact, solve, slip, life, measures or response.
+
+        Returns
+        -------
+        Function
+
+        Raises
+        ------
+        InputError, ValueError
+            Where a path is none, or the case does not define the response; the message says why.
         """
-        return Function(self, inputs, responses, command)
+        return function_of(self, inputs, responses, command)
 
     def responses(self, command: Command | Literal["preload"] = "solve") -> pd.DataFrame:
         """What `evaluate` may answer for this case by a command, one row per path.
 
-        `defined` says whether the case has it, `needs` what it must state for what it has not.
+        `defined` says whether the command answers it for this case; where not, `needs` says which
+        other command does, or what the case must state.
+
+        Parameters
+        ----------
+        command : str, optional
+            contact, solve, slip, life, measures, response or preload.
+
+        Returns
+        -------
+        pandas.DataFrame
+            With the columns path, unit, title, defined, needs.
         """
-        if command not in (*COMMAND_BLOCKS, "preload"):
-            known = " | ".join((*COMMAND_BLOCKS, "preload"))
-            raise ValueError(f"command: got {command!r}; expected {known}")
+        if command not in COMMANDS:
+            raise ValueError(f"command: got {command!r}; expected {' | '.join(COMMANDS)}")
         result: Result = getattr(self, command)()
         if command == "preload":
             return frame_of(_preload_responses(result["preload"], "preload"))
+        reasons = Reasons(self, command)
         rows = []
         for path in _engine.known_responses():
             title, unit = _engine.response_title(path)
             defined = response_in(result, path) is not None
-            needs = "" if defined else response_needs(path)
-            block = path.partition(".")[0]
-            if defined or needs or block in result or block in COMMAND_BLOCKS[command]:
-                rows.append(
-                    {"path": path, "unit": unit, "title": title, "defined": defined, "needs": needs}
-                )
+            needs = "" if defined else reasons.of(path)
+            rows.append(
+                {"path": path, "unit": unit, "title": title, "defined": defined, "needs": needs}
+            )
         return frame_of(rows)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -604,6 +848,50 @@ def _restore(
     files: dict[str, bytes] | None,
 ) -> Case:
     return kind._from_source(_source(name, text, overrides, folder, files))
+
+
+#: What the head of a case that `new` made calls given: the argument, and where it stands.
+_OF_NEW = {
+    "screw diameter": ("screw_diameter", "mechanism.pitch_diameter.screw"),
+    "lead": ("lead", "mechanism.lead"),
+    "starts": ("starts", "mechanism.starts.screw"),
+    "rollers": ("rollers", "mechanism.rollers"),
+    "nut diameter": ("nut_diameter", "structure.nut.outer_diameter"),
+    "nut length": ("nut_length", "structure.nut.length"),
+    "profile radius": ("roller_profile_radius", "mechanism.profile.roller.convex"),
+    "load": ("load", "load_cases[0].axial_force"),
+    "speed": ("speed", "operation.speed"),
+    "lubricant": ("lubricant", "lubricant.name"),
+    "its temperature": ("temperature", "lubricant.temperature"),
+}
+
+_HEAD_OF_NEW = re.compile(r"# An? (standard|inverted) .*\n#\n# Given: ((?:.*\n# )+?)What was not")
+
+
+def _made_anew(text: str, overrides: list[str], error: InputError) -> str:
+    """An error about a value that `new` assumed, with the call that makes the case anew."""
+    head = _HEAD_OF_NEW.match(text)
+    changed = dict(each.split("=", 1) for each in overrides)
+    if head is None or any(error.path.startswith(path) for path in changed):
+        return ""
+    arguments: dict[str, str] = {}
+    for item in head[2].replace("\n# ", " ").strip(" .").split(", "):
+        for words, (argument, _) in _OF_NEW.items():
+            if re.fullmatch(rf"{words} .*|\d+ {words}", item):
+                arguments[argument] = item.removeprefix(words).removesuffix(words).strip()
+    for argument, path in _OF_NEW.values():
+        if path in changed:
+            arguments[argument] = changed.pop(path)
+    if len(changed) == len(overrides):
+        return ""
+    call = f"rollerscrew.new({head[1]!r}"
+    for argument, value in arguments.items():
+        call += f", {argument}={value if value.isdigit() else repr(value)}"
+    call += f").with_({changed})" if changed else ")"
+    return "\n".join(
+        f"{line}; it was assumed for the values of before: make the case anew, `{call}`"
+        for line in str(error).splitlines()
+    )
 
 
 def _csv_of(name: str, columns: Any) -> bytes:

@@ -19,7 +19,7 @@ import numpy.typing as npt
 from rollerscrew import _engine
 from rollerscrew.errors import InputError, InputProblem
 from rollerscrew.progress import Progress, progress_callback
-from rollerscrew.record import Record
+from rollerscrew.reasons import STUDIED, Reasons, commands_of, numbers_known, response_in
 from rollerscrew.records import Command
 from rollerscrew.values import (
     checked_text,
@@ -48,15 +48,6 @@ _PIECES = 256
 
 #: Name, text, overrides, folder and the files that it names of a source.
 SourceParts = tuple[str, str, tuple[str, ...], str, tuple[tuple[str, bytes], ...] | None]
-
-#: The blocks of its own that the document of a command has, and its load cases.
-COMMAND_BLOCKS: dict[str, set[str]] = {
-    "contact": {"contact", "threads"},
-    "solve": {"screw", "nut"},
-    "slip": {"screw", "nut", "slip", "heat"},
-    "life": {"life"},
-    "measures": {"screw", "nut", "measures"},
-}
 
 #: What a design whose inputs cannot stand in the case does: it ends the call, or it is a row.
 OnError = Literal["raise", "row"]
@@ -204,7 +195,22 @@ class Designs:
         return np.asarray(self.status == "converged", dtype=np.bool_)
 
     def case(self, design: int) -> Case:
-        """The case of one design, as `with_` would give it."""
+        """The case of one design, as `with_` would give it.
+
+        Parameters
+        ----------
+        design : int
+            Place of the design, from 0.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        ValueError
+            Of designs that were read from JSON.
+        """
         from rollerscrew.case import Case
 
         if self.origin is None:
@@ -216,6 +222,23 @@ class Designs:
         """The place of the converged design with the smallest value of a response, or the largest.
 
         >>> designs.case(designs.best("axial_stiffness_N_per_um", largest=True))
+
+        Parameters
+        ----------
+        response : str
+            A response that is a number.
+        largest : bool, optional
+            Whether the largest value is the best.
+
+        Returns
+        -------
+        int
+            Place of the design, from 0.
+
+        Raises
+        ------
+        ValueError
+            Where no design converged with a value.
         """
         values = self[response]
         if values.ndim > 1:
@@ -238,13 +261,35 @@ class Designs:
         """Converged designs as points: an input or response over another, coloured by a third.
 
         `label` and `color` as `rollerscrew.plots.draw` has them.
+
+        Parameters
+        ----------
+        x, y : str
+            An input or a response.
+        colour : str, optional
+            An input or a response.
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; without it in a new figure.
+        label : str, optional
+            Name in the legend.
+        color : optional
+            A colour of matplotlib.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
         """
         from rollerscrew import plots
 
         return plots.draw(_cloud(self, x, y, colour), ax, label=label, color=color)
 
     def to_frame(self) -> pd.DataFrame:
-        """Inputs, status, reason and responses, one row per design: the columns of `study.csv`."""
+        """Inputs, status, reason and responses, one row per design: the columns of `study.csv`.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
         import pandas as pd
 
         index = self.inputs.index
@@ -259,6 +304,10 @@ class Designs:
         Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads
         have the dimension `thread`; the number of the first thread is 1. Variables have the
         attributes `units` and `long_name`, the whole `prs_version`, `case_file` and `input_sha256`.
+
+        Returns
+        -------
+        xarray.Dataset
         """
         import xarray
 
@@ -499,7 +548,7 @@ def _known_paths() -> frozenset[str]:
 
 def _with_entries(case: Case, responses: list[str], command: Command) -> list[str]:
     """The responses with each entry of whole arrays: `screw.load_rate_percent`."""
-    is_known = isinstance(command, str) and command in COMMAND_BLOCKS
+    is_known = isinstance(command, str) and command in STUDIED
     if not is_known or all(not isinstance(r, str) or _is_number_path(r) for r in responses):
         return responses
     result = getattr(case, command)()
@@ -516,41 +565,7 @@ def _with_entries(case: Case, responses: list[str], command: Command) -> list[st
 def _is_number_path(response: str) -> bool:
     """Whether a path cannot be that of a whole array."""
     of_load_case = re.sub(r"^load_cases\[[^\]]*\]\.", "", response)
-    return of_load_case.endswith((".max", ".min", ".mean", "]")) or of_load_case in _numbers_known()
-
-
-@lru_cache(maxsize=1)
-def _numbers_known() -> frozenset[str]:
-    return frozenset(_engine.known_responses())
-
-
-def response_in(result: Any, path: str) -> Any:
-    """The value at the path of a response; None where there is none."""
-    steps = [step for step in re.split(r"\.|\[|\]", path) if step]
-    found = _value_at(result, steps) if steps else None
-    if found is None and steps and result.get("load_cases"):
-        found = _value_at(result["load_cases"][0], steps)
-    return found
-
-
-def _value_at(value: Any, steps: list[str]) -> Any:
-    for step in steps:
-        if isinstance(value, list):
-            names = [each.get("name") for each in value]
-            place = int(step) if step.isdigit() else names.index(step) if step in names else -1
-            value = value[place] if 0 <= place < len(value) else None
-        elif isinstance(value, np.ndarray):
-            if step in ("max", "min", "mean"):
-                value = float(getattr(np, step)(value))
-            elif step.isdigit() and int(step) < len(value) and value.ndim == 1:
-                value = float(value[int(step)])
-            else:
-                return None
-        elif isinstance(value, Record) and step in value:
-            value = value[step]
-        else:
-            return None
-    return value
+    return of_load_case.endswith((".max", ".min", ".mean", "]")) or of_load_case in numbers_known()
 
 
 #: A factor of a study in the key of an error: its number, what it draws from, an end, a level.
@@ -565,28 +580,29 @@ def told_of_arguments(
     inputs: Sequence[str],
     responses: Sequence[str],
     command: str,
+    case: Callable[[], Case],
     index_of: Callable[[str, str, str | None], int | None],
 ) -> str:
     """An error of a study as one of the arguments that it was made of.
 
-    `index_of` gives the place of the value of an input that an end or a level of its factor is.
+    `case` gives the case, where the reason is looked for; `index_of` gives the place of the value
+    of an input that an end or a level of its factor is.
     """
     message = _message_of(error).replace(
         "`prs list responses FILE`", f'`case.responses("{command}")`'
     )
     if found := re.fullmatch(r"study\.responses\[(\d+)\]", error.path):
         response = str(responses[int(found[1])])
-        blocks = COMMAND_BLOCKS.get(command, set())
+        if reason := Reasons(case(), command).of(response):
+            return f"responses[{found[1]}]: got {response}; {reason}"
         near = [
             known
-            for known in sorted(_numbers_known())
-            if response in known and ("." not in known or known.partition(".")[0] in blocks)
+            for known in sorted(numbers_known())
+            if response in known and command in commands_of(known)
         ][:3]
         if near and "did you mean" not in message:
             message = message.partition("; write for example")[0]
             message += f"; did you mean {', '.join(f'`{each}`' for each in near)}?"
-        if needs := response_needs(response):
-            message = f"{message.partition('; did you mean')[0]}; {response} {needs}"
         return f"responses[{found[1]}]: {message}"
     if found := _FACTOR.match(error.path):
         path = inputs[int(found[1])]
@@ -671,8 +687,13 @@ class _Evaluation:
             at = "" if place is None else f"[{place}]"
             return f"inputs[{error.path!r}]{at}: {column.hinted(message)}"
         return told_of_arguments(
-            error, list(self.columns), self.responses or [], self.command, index_of
+            error, list(self.columns), self.responses or [], self.command, self._base, index_of
         )
+
+    def _base(self) -> Case:
+        from rollerscrew.case import Case
+
+        return Case._from_source(source_of(self.case, self.constants))
 
     def answered(
         self, study: _engine.Study, rows: npt.NDArray[np.int64], threads: int, show: Any
@@ -807,10 +828,11 @@ def _preload_rows(
             if isinstance(value, int | float):
                 values[row, k] = value
             elif result.converged:
-                raise InputError(
-                    f"responses[{k}]: got {path}; expected a number of the document of `preload`, "
-                    'as `case.responses("preload")` shows them'
+                reason = Reasons(case, "preload").of(path) or (
+                    "expected a number of the document of `preload`, as "
+                    '`case.responses("preload")` shows them'
                 )
+                raise InputError(f"responses[{k}]: got {path}; {reason}")
     name, text, before, folder, files = parts_of(case._case.source)
     origin = Origin(
         (name, text, (*before, *constants), folder, files), None, np.arange(count), columns
@@ -907,32 +929,6 @@ def history_columns(history: Any) -> dict[str, tuple[list[float], str]]:
 
 def _length(values: Any) -> int:
     return len(values[0] if _is_with_unit(values) else values)
-
-
-def response_needs(response: str) -> str:
-    """`needs materials.density ..` of the path of a response."""
-    from rollerscrew.record import needs_in, results_schema
-
-    schema = results_schema()
-    steps = [step for step in re.sub(r"\[[^\]]*\]", "", response).split(".") if step]
-    if steps and steps[-1] in ("max", "min", "mean"):
-        steps.pop()
-    places = {each["path"].replace("[]", ""): each["record"] for each in schema["documents"]}
-    record = places.get(steps[0]) if steps else None
-    if record is None:
-        record = places["load_cases"]
-    else:
-        steps = steps[1:]
-    for step in steps:
-        for quantity in schema["records"].get(record, {}).get("quantities", []):
-            if quantity["key"] == step:
-                if needs := needs_in(quantity):
-                    return needs
-                record = quantity.get("record", "")
-                break
-        else:
-            return ""
-    return ""
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,28 @@ def fit(
     >>> rs.fit(case, [{"path": "friction.coulomb", "from": 0.02, "to": 0.4}],
     ...     [{"name": "torque", "response": "slip.torque_screw_Nm", "measured":
     ...     {"column": "M", "unit": "N m"}}], data={"torque": frame})
+
+    Parameters
+    ----------
+    case : Case
+        What is measured, with first values.
+    parameters : list of dict
+        `path`, `from`, `to` of each unknown input.
+    curves : list of dict
+        `name`, `response`, `measured`, .. of each curve.
+    data : dict, optional
+        Readings by the names of the curves.
+    **options : Any
+        Other keys of the block `fit`.
+
+    Returns
+    -------
+    FitResult
+
+    Raises
+    ------
+    InputError
+        Where a key, a path or a file is wrong.
     """
     named = [
         {"file": f"{curve.get('name', f'curve-{k + 1}')}.csv", **curve}

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from rollerscrew import _engine
 from rollerscrew.designs import (
+    _ENTRY,
     Designs,
     Origin,
     SourceParts,
@@ -24,6 +25,7 @@ from rollerscrew.designs import (
     warn_of,
 )
 from rollerscrew.errors import InputError
+from rollerscrew.reasons import commands_of
 from rollerscrew.records import Command
 from rollerscrew.values import number_text, override_text
 
@@ -76,7 +78,7 @@ class Function:
         self._case = case
         self._parts: SourceParts = parts_of(case._case.source)
         self.inputs = tuple(inputs)
-        self.command = command
+        self.command: Command | tuple[Any, ...] = command
         named = inputs if isinstance(inputs, Mapping) else {}
         self.units = tuple(named.get(path) or _unit_of(case, path) for path in self.inputs)
         #: What the case itself has.
@@ -111,7 +113,22 @@ class Function:
         return values[0] if numbers.ndim == 1 else values
 
     def designs(self, x: npt.ArrayLike) -> Designs:
-        """The designs with their status and reasons."""
+        """The designs with their status and reasons.
+
+        Parameters
+        ----------
+        x : array of n numbers, or of k x n
+            Inputs in `units`.
+
+        Returns
+        -------
+        Designs
+
+        Raises
+        ------
+        ValueError
+            Where the shape is another one.
+        """
         import pandas as pd
 
         rows = self._rows(np.asarray(x, dtype=np.float64))
@@ -130,6 +147,16 @@ class Function:
         Exact by the tangent of the equilibrium where the plan `derivatives` of studies has them;
         else differences of fourth order, at a bound those of one side. Raises ValueError for
         inputs that are counts.
+
+        Parameters
+        ----------
+        x : array of n numbers
+            Inputs in `units`.
+
+        Returns
+        -------
+        numpy.ndarray
+            m x n, units of the responses over `units`.
         """
         numbers = np.asarray(x, dtype=np.float64)
         if numbers.shape != (len(self.inputs),):
@@ -256,7 +283,14 @@ class Function:
             return _engine.Study(source_of(self._study_parts(self._plan())))
         except InputError as error:
             told = (
-                told_of_arguments(each, self.inputs, self._responses, self.command, lambda *_: None)
+                told_of_arguments(
+                    each,
+                    self.inputs,
+                    self._responses,
+                    self.command,
+                    lambda: self._case,
+                    lambda *_: None,
+                )
                 for each in error.errors
             )
             raise InputError("\n".join(told)) from None
@@ -264,6 +298,64 @@ class Function:
     def _text(self, k: int, number: float) -> Any:
         unit = self.units[k]
         return f"{number_text(float(number))} {unit}" if unit else float(number)
+
+
+class JoinedFunction(Function):
+    """Functions of the same inputs, whose responses stand side by side in the order asked for."""
+
+    def __init__(self, functions: Sequence[Function], responses: Sequence[str]) -> None:
+        first = functions[0]
+        self._functions, self._asked = tuple(functions), tuple(responses)
+        self.inputs, self.units, self.x0 = first.inputs, first.units, first.x0
+        self.command = tuple(each.command for each in functions)
+        found = [each for function in functions for each in function.responses]
+        entries = [path if path in responses else _ENTRY.sub("", path) for path in found]
+        self._order = sorted(range(len(found)), key=lambda k: self._asked.index(entries[k]))
+        self.responses = tuple(found[k] for k in self._order)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return JoinedFunction, (self._functions, self._asked)
+
+    def __call__(self, x: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        return np.concatenate([each(x) for each in self._functions], axis=-1)[..., self._order]
+
+    def jacobian(self, x: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        return np.concatenate([each.jacobian(x) for each in self._functions])[self._order]
+
+    def designs(self, x: npt.ArrayLike) -> Designs:
+        parts = [each.designs(x) for each in self._functions]
+        status, reason = parts[0].status.copy(), parts[0].reason.copy()
+        for part in parts[1:]:
+            fails = status == "converged"
+            status[fails], reason[fails] = part.status[fails], part.reason[fails]
+        values = np.hstack([part.values for part in parts])[:, self._order]
+        return Designs(parts[0].inputs, self.responses, values, status, reason, parts[0].origin)
+
+
+def function_of(
+    case: Case,
+    inputs: Sequence[str] | Mapping[str, str],
+    responses: Sequence[str] | Mapping[Command, Sequence[str]],
+    command: Command | None,
+) -> Function:
+    """The function of one command or of several, each with its responses."""
+    if isinstance(responses, Mapping):
+        if command is not None:
+            raise TypeError(f"command: got {command!r} beside those of responses; expected one")
+        asked: dict[Any, Sequence[str]] = dict(responses)
+    elif command is not None or isinstance(responses, str) or not responses:
+        asked = {command or "solve": responses}
+    else:
+        asked = {}
+        for path in responses:
+            homes = commands_of(path) if isinstance(path, str) else ("solve",)
+            own = "solve" if "solve" in homes else homes[0]
+            asked[own] = [*asked.get(own, ()), path]
+    functions = [Function(case, inputs, paths, of) for of, paths in asked.items()]
+    if len(functions) == 1:
+        return functions[0]
+    ordered = [path for paths in asked.values() for path in paths]
+    return JoinedFunction(functions, ordered if isinstance(responses, Mapping) else responses)
 
 
 def _restored(

@@ -49,6 +49,25 @@ def new(
     Without diameter and lead it is an example. What is not given follows by rule: `case.inputs()`
     has every value with what it rests on, `case.text` says it in comments, `case.to_yaml(file)`
     writes it. Raises InputError where nothing can have these numbers.
+
+    Parameters
+    ----------
+    type : {"standard", "inverted"}, optional
+        Whether rollers keep their place on the nut or on the screw.
+    screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius : length, optional
+        `"25 mm"`, `(25, "mm")` or a quantity of pint.
+    starts, rollers : int, optional
+        Starts of the screw; rollers around it.
+    load, speed, temperature : optional
+        A force, a speed of rotation, a temperature of the lubricant, each with its unit.
+    lubricant : str, optional
+        A name of `lubricants()`.
+    mechanism : {"sector", "full"}, optional
+        One roller with its share, or all of them.
+
+    Returns
+    -------
+    Case
     """
     given = dict(locals())
     options: list[str] = []
@@ -61,7 +80,22 @@ def new(
 
 
 def lesson(which: int | str) -> Case:
-    """A lesson by its number or its name: `lesson(4)`, `lesson("flight_spectrum")`."""
+    """A lesson by its number or its name: `lesson(4)`, `lesson("flight_spectrum")`.
+
+    Parameters
+    ----------
+    which : int or str
+        Number or name.
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    InputError
+        Where there is no such lesson.
+    """
     asked = str(which).removesuffix(".yaml")
     for name in lessons():
         number, _, word = name.partition("_")
@@ -118,7 +152,28 @@ def configurations(
     flank_angle: Any | None = None,
     roller_profile_radius: Length | None = None,
 ) -> pd.DataFrame:
-    """The geometries that a screw diameter and a lead allow, a row each: `prs configurations`."""
+    """The geometries that a screw diameter and a lead allow, a row each: `prs configurations`.
+
+    Parameters
+    ----------
+    screw_diameter, lead, gap, roller_profile_radius : length
+        `"25 mm"`, `(25, "mm")` or a quantity of pint; the last two are optional.
+    type : {"standard", "inverted"}, optional
+        Both without it.
+    starts, roller_starts, rollers : int, optional
+        All that fit without them.
+    flank_angle : angle, optional
+        45 deg without it.
+
+    Returns
+    -------
+    pandas.DataFrame
+
+    Raises
+    ------
+    InputError
+        Where nothing can have these numbers.
+    """
     from rollerscrew.frames import frame_of
 
     given = dict(locals())

@@ -23,6 +23,22 @@ def size(
 
     `set` replaces values as `--set` does it. `to_frame()` of the answer has a row per candidate,
     in the order of their ranks.
+
+    Parameters
+    ----------
+    requirement : path or dict
+        A file, or its blocks.
+    set : dict, optional
+        Values by their paths.
+
+    Returns
+    -------
+    SizeResult
+
+    Raises
+    ------
+    InputError
+        Where the requirement is wrong.
     """
     overrides = _overrides({} if set is None else set)
     source = (

@@ -111,7 +111,11 @@ def plain(value: Any, level: int = 0) -> Any:
     if isinstance(value, np.ndarray | np.bool_ | np.integer | np.str_):
         return plain(value.tolist(), level + 1)
     if isinstance(value, Mapping):
-        return {_plain_key(key): plain(item, level + 1) for key, item in value.items()}
+        items = {_plain_key(key): plain(item, level + 1) for key, item in value.items()}
+        for limit in ("at_most", "at_least") if "response" in items else ():
+            if isinstance(items.get(limit), str):
+                items[limit] = _in_unit_of(items["response"], items[limit])
+        return items
     if isinstance(value, list | tuple):
         return [plain(item, level + 1) for item in value]
     if value is None or isinstance(value, bool):
@@ -126,6 +130,14 @@ def plain(value: Any, level: int = 0) -> Any:
         f"got {reprlib.repr(value)} of type {type(value).__name__}; expected a number, a text with "
         "its unit such as '45 kN', a pint quantity, or lists and dictionaries of them"
     )
+
+
+def _in_unit_of(response: Any, text: str) -> Any:
+    """`4 GPa` as the number that limits of a response are, in its own unit: 4000 of MPa."""
+    if not isinstance(response, str):
+        return text
+    number = _engine.number_in(text, _engine.response_title(response)[1])
+    return text if number is None else number
 
 
 def is_with_unit(value: Any) -> bool:

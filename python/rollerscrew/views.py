@@ -10,6 +10,7 @@ Every `plot_` method draws into `ax`, or all panels into a new figure, and retur
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Self, Unpack
@@ -26,6 +27,7 @@ from rollerscrew.records import (
     Comparison,
     Contacts,
     Fit,
+    FittedParameter,
     Heat,
     HeatCycle,
     InterfaceLife,
@@ -591,6 +593,25 @@ class ResponseViews(Result):
         return self.plot_figure("response_frequency", ax, **look)
 
 
+def _fit_note(one: FittedParameter) -> str:
+    """What an interval says of a value that counts as identified."""
+    if not one.identified:
+        return "not identified: the data do not tell it"
+    if one.at_bound:
+        return f"ends at its bound `{one.at_bound}`"
+    if one.low is None or one.high is None:
+        return ""
+    start, low, high, end = one["from"] if "from" in one else -math.inf, one.low, one.high, one.to
+    if start >= 0.0 >= low:
+        return "hardly identified: its interval contains zero"
+    if one.scale == "log":
+        start, low, high, end = map(math.log, (start, low, high, end))
+    share = (min(high, end) - max(low, start)) / (end - start)
+    return (
+        f"hardly identified: its interval covers {share:.0%} of the bounds" if share >= 0.5 else ""
+    )
+
+
 class FitViews(Result):
     """Unknown inputs from measured curves, with their uncertainty."""
 
@@ -600,6 +621,15 @@ class FitViews(Result):
     def parameters_frame(self) -> pd.DataFrame:
         """Values with deviations and intervals, one row per parameter, offsets last."""
         return frame_of([dict(flat(one)) for one in self.fit.parameters], {"name": str})
+
+    def to_frame(self) -> pd.DataFrame:
+        """`parameters_frame` with a `note` where the data hardly tell a value."""
+        return self.parameters_frame().assign(note=[*map(_fit_note, self.fit.parameters)])
+
+    def __repr__(self) -> str:
+        notes = [(one.name, _fit_note(one)) for one in self.fit.parameters]
+        said = "".join(f"; {name}: {note}" for name, note in notes if note)
+        return f"{super().__repr__()[:-1]}{said}>"
 
     def residuals_frame(self) -> pd.DataFrame:
         """Readings, fit and residuals, one row per reading."""

@@ -472,3 +472,56 @@ def test_blocks_by_name() -> None:
     case = rs.Case.from_yaml(CONFIGS / "09_slip_and_dissipation.yaml")
     changed = case.with_({"mechanism.rollers": 9}, operation={"speed": "100 rpm"})
     assert changed.overrides == ["mechanism.rollers=9", "operation={speed: 100 rpm}"]
+
+
+def _blocks(low: Any, high: Any, limit: Any) -> dict[str, Any]:
+    ends = {"path": "mechanism.flank_angle", "from": low, "to": high}
+    peak = "screw.peak_pressure_MPa.max"
+    uniform = {"path": ends["path"], "uniform": {"from": low, "to": high}}
+    values = {"path": "mechanism.lead", "values": [(4, "mm"), "5 mm"]}
+    return {
+        "study": {
+            "command": "solve",
+            "plan": "monte_carlo",
+            "samples": 2,
+            "factors": [uniform, values],
+        },
+        "optimize": {
+            "command": "solve",
+            "variables": [ends],
+            "objectives": [{"minimize": peak}],
+            "constraints": [{"response": peak, "at_most": limit}],
+        },
+        "fit": {
+            "parameters": [ends],
+            "curves": [
+                {
+                    "name": "x",
+                    "file": "x.csv",
+                    "response": peak,
+                    "measured": {"column": "x", "unit": "MPa"},
+                }
+            ],
+        },
+    }
+
+
+def test_values_with_units_are_alike_in_all_blocks(tmp_path: Path) -> None:
+    pint = pytest.importorskip("pint").UnitRegistry()
+    (tmp_path / "x.csv").write_text("x\n2900\n3000\n")
+    text = rs.new("standard", "25 mm", "5 mm").text
+    base = rs.Case.from_text(text, name=str(tmp_path / "case.yaml"))
+    expected = base.with_(**_blocks("40 deg", "50 deg", 4000))
+    for blocks in (
+        _blocks((40, "deg"), (50, "deg"), (4, "GPa")),
+        _blocks(40 * pint.deg, 50 * pint.deg, 4 * pint.GPa),
+        _blocks("40 deg", "50 deg", "4e9 Pa"),
+    ):
+        for name in blocks:
+            changed = base.with_({name: blocks[name]})
+            assert changed.number("mechanism.lead", "mm") == 5.0
+            if name == "optimize":
+                assert changed["optimize.constraints[0].at_most"] == 4000
+            assert repr(changed[name]).replace(".0 deg", " deg") == repr(expected[name])
+    with pytest.raises(rs.InputError, match="at_most: got 4 mm"):
+        base.with_({"optimize": _blocks("40 deg", "50 deg", "4 mm")["optimize"]}).check()

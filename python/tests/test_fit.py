@@ -71,3 +71,23 @@ def test_pictures(bench: rs.Case) -> None:
     result = bench.fit()
     for plot in (result.plot_fit, result.plot_residuals, result.plot_correlation):
         assert plot().has_data()
+
+
+def test_says_what_the_data_hardly_tell(bench: rs.Case) -> None:
+    frame = bench.fit().to_frame()
+    assert not frame["note"].any()
+    rows: dict[str, list[float]] = {"force_kN": [8.0, 12.0, 16.0], "torque_Nm": []}
+    for force in rows["force_kN"]:
+        one = bench.with_({"load_cases[0].axial_force": (force, "kN")}).slip()
+        rows["torque_Nm"].append(one.load_cases[0].slip.torque_screw_Nm)
+    parameters = [
+        {"path": "friction.coulomb", "from": 0.02, "to": 0.2},
+        {"path": "carrier.screw_torque", "from": "0 N m", "to": "3 N m"},
+    ]
+    torque = TORQUE | {"deviation": "2 N m"}
+    result = rs.fit(bench, parameters, [torque], data={"torque": rows})
+    frame = result.to_frame().set_index("name")
+    assert frame.loc["carrier.screw_torque", "low"] <= 0.0
+    drag = "hardly identified: its interval contains zero"
+    assert frame.loc["carrier.screw_torque", "note"] == drag
+    assert f"carrier.screw_torque: {drag}" in repr(result)

@@ -226,7 +226,7 @@ def test_errors_of_functions_name_the_argument() -> None:
     with pytest.raises(rs.InputError, match=r"^responses\[0\]: got stiffness; .*did you mean") as r:
         lesson(1).function([FORCE], ["stiffness"])
     assert "study" not in str(r.value) and "measures." not in str(r.value)
-    with pytest.raises(rs.InputError, match=r"^responses\[0\]: .*weight_kg needs materials.dens"):
+    with pytest.raises(rs.InputError, match=r"^responses\[0\]: .*weight_kg; needs `materials.dens"):
         lesson(1).function([FORCE], ["measures.weight_kg"], command="measures")
     with pytest.raises(rs.InputError, match="^command: got preload; expected contact"):
         lesson(1).function([FORCE], [STIFFNESS], command="preload")  # type: ignore[arg-type]
@@ -329,3 +329,33 @@ def test_batches_without_designs_are_refused(tmp_path: Any) -> None:
             lesson(1).evaluate_to_parquet(file, inputs, [STIFFNESS])
     with pytest.raises(ValueError, match="batch: got 0"):
         lesson(1).evaluate_to_parquet(file, {"mechanism.rollers": [9]}, [STIFFNESS], batch=0)
+
+
+def test_functions_over_several_commands() -> None:
+    case = rs.new("standard", "25 mm", "5 mm")
+    bore = "structure.screw.bore"
+    paths = ["life.system.l10_hours", STIFFNESS, "measures.screw_weight_kg_per_m"]
+    f = case.function([FORCE, bore], paths)
+    assert f.responses == tuple(paths) and f.command == ("life", "solve", "measures")
+    x = np.vstack([f.x0, f.x0 * [0.9, 1.0], f.x0 + [0.0, 2.0]])
+    commands: list[Any] = ["life", "solve", "measures"]
+    alone = [case.function([FORCE, bore], [p], c) for p, c in zip(paths, commands, strict=True)]
+    assert np.array_equal(f(x), np.hstack([one(x) for one in alone]))
+    assert np.array_equal(f(f.x0), f(x)[0])
+    slopes = f.jacobian(x[2])
+    assert np.array_equal(slopes, np.vstack([one.jacobian(x[2]) for one in alone]))
+    assert slopes[2, 0] == 0.0 and slopes[2, 1] < 0.0
+    sent = pickle.loads(pickle.dumps(f))
+    assert np.array_equal(sent(x), f(x)) and repr(sent) == repr(f)
+    told = case.function({FORCE: "kN", bore: "mm"}, {"measures": [paths[2]], "solve": paths[1:2]})
+    assert told.responses == (paths[2], paths[1]) and told.units == ("kN", "mm")
+    designs = f.designs([[f.x0[0], 0.0], [f.x0[0], 30.0]])
+    assert designs.converged.tolist() == [True, False] and designs.reason[1]
+    assert np.isnan(designs.values[1]).all() and designs.case(0).number(bore, "mm") == 0.0
+    whole = lesson(9).function([FORCE], ["slip.efficiency", "screw.load_rate_percent", STIFFNESS])
+    assert whole.responses[0] == "slip.efficiency" and whole.responses[-1] == STIFFNESS
+    assert len(whole.responses) == 2 + len(lesson(9).solve().load_cases[0].screw.load_rate_percent)
+    with pytest.raises(ValueError, match="responses: got none"):
+        case.function([FORCE], {"solve": []})
+    with pytest.raises(TypeError, match="command: got 'solve' beside"):
+        case.function([FORCE], {"solve": [STIFFNESS]}, "solve")

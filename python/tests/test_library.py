@@ -169,6 +169,34 @@ def test_histories_of_arrays() -> None:
     assert case.life(history={**history, "force": (2.0 * force, "kN")}).life != result.life
     with pytest.raises(TypeError, match="got no unit"):
         case.life(history={"force": force})
+    runs = case.with_({"operation": {"speed": "600 rpm"}})
+    with pytest.warns(UserWarning, match="hours are those of motion at operation.speed, 600 rpm"):
+        assert runs.life(history=history).life.system.l10_hours
+    timed = runs.life(history=history, interval="0.5 s").life.system.l10_hours
+    assert timed == pytest.approx(expected.system.l10_hours, rel=0.01)
+
+
+def test_assumed_values_in_the_way_of_a_change_say_how_the_case_is_made_anew() -> None:
+    given: dict[str, Any] = {
+        "starts": 5,
+        "nut_length": "85 mm",
+        "load": "30 kN",
+        "speed": "1500 rpm",
+    }
+    case = rs.new("standard", "30 mm", "10 mm", **given)
+    changes = {"mechanism.lead": (8, "mm"), "roughness": "0.3 um", "operation.speed": "900 rpm"}
+    with pytest.raises(
+        rs.InputError, match="dedendum: got .*assumed for the values of bef"
+    ) as raised:
+        case.with_(changes)
+    assert raised.value.path == "mechanism.thread.screw.dedendum"
+    call = str(raised.value).rpartition("make the case anew, `")[2].removesuffix("`")
+    anew = eval(call, {"rollerscrew": rs})
+    made = rs.new("standard", "30 mm", "8 mm", **given | {"speed": "900 rpm"})
+    assert anew == made.with_({"roughness": "0.3 um"}) and anew.check()
+    with pytest.raises(rs.InputError, match="dedendum") as raised:
+        case.with_({"mechanism.thread.screw.dedendum": "3 mm"})
+    assert "anew" not in str(raised.value)
 
 
 # What is not there says where it is

@@ -45,6 +45,26 @@ def draw(
     figure in the style of a paper is made. `label` stands in the legend; with `color`, or a second
     picture in the same axes, whose colour is then the next of their cycle, all lines have one
     colour and differ by their dashes.
+
+    Parameters
+    ----------
+    description : dict
+        One of `Result.figures()`.
+    ax : matplotlib.axes.Axes, optional
+        Where it is drawn; without it in a new figure.
+    label : str, optional
+        Name in the legend.
+    color : optional
+        A colour of matplotlib.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Where a picture of several panels is drawn into axes.
     """
     if color is None and ax is not None and was_drawn(ax):
         color = next_colour(ax)
@@ -77,6 +97,26 @@ def compare(
 
     `picture` is what follows `plot_` in a method of the results, or the name of one of
     `result.figures()`; `options` are those of the method: `load_cases="pull"`.
+
+    Parameters
+    ----------
+    results : dict
+        Results by their names in the legend.
+    picture : str
+        Name of the picture.
+    ax : matplotlib.axes.Axes, optional
+        Where it is drawn; without it in a new figure.
+    **options : Any
+        Those of the method that draws it.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Where there is no such picture.
     """
     if not isinstance(results, Mapping) or not results:
         raise ValueError(
