@@ -156,7 +156,7 @@ FoundCriterion critical_speed_share(const Case& c, const MeasuresResult& measure
   const auto& critical = measures.measures.critical_speed;
   const bool turns = c.mechanism.type == Mechanism::Type::standard;
   if (speed.value && critical) return following("critical_speed_share", speed, *speed.value / *critical);
-  FoundCriterion found("critical_speed_share", !turns           ? "the screw does not turn"
+  FoundCriterion found("critical_speed_share", !turns           ? "the nut turns, not the screw"
                                                : lacks_shaft(c) ? kAddShaft
                                                : !critical      ? "no critical speed"
                                                                 : std::string_view(speed.why));

@@ -315,7 +315,7 @@ class Evaluation {
         {c_.critical_speed && c_.largest_speed ? std::optional(*c_.largest_speed / *c_.critical_speed) : std::nullopt,
          l.critical_speed_share,
          !cycle_.moves()                              ? rests
-         : c_.screw.type == Mechanism::Type::inverted ? "the screw does not turn"
+         : c_.screw.type == Mechanism::Type::inverted ? "the nut turns, not the screw"
                                                       : ""});
     at_most("speed_times_diameter", "mm/min", {c_.speed_times_diameter, l.speed_times_diameter, rests});
     at_most("nut_diameter", "mm", {c_.nut_diameter, l.nut_diameter});

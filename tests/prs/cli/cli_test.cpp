@@ -166,7 +166,7 @@ TEST_F(CommandLine, WrongInputIsStatus2WithItsPlaceAndNoOutput) {
 TEST_F(CommandLine, WrongOverrideIsReportedWhereItTakesEffect) {
   const Outcome run = prs("solve configs/01_config_1_to_3.yaml --set mechanism.lead=5");
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err.rfind("configs/01_config_1_to_3.yaml:20:3: error: mechanism.lead: got 5;", 0), 0u) << run.err;
+  EXPECT_EQ(run.err.rfind("configs/01_config_1_to_3.yaml:21:3: error: mechanism.lead: got 5;", 0), 0u) << run.err;
   EXPECT_NE(run.err.find("from --set mechanism.lead=5"), std::string::npos) << run.err;
 }
 

@@ -227,7 +227,7 @@ TEST(StandardInput, IsACaseLikeAFile) {
   const std::string life = "life - --json --quiet <14_flight_spectrum.yaml";
   EXPECT_EQ(run_prs(life, PRS_SOURCE_DIR "/configs").status, 0);
   EXPECT_THAT(run_prs("check - --set mechanism.lead=5 <configs/01_config_1_to_3.yaml").err,
-              StartsWith("<stdin>:20:3: error: mechanism.lead: got 5;"));
+              StartsWith("<stdin>:21:3: error: mechanism.lead: got 5;"));
 }
 
 TEST(StandardInput, IsAlsoThatOfAStudyInAFolder) {

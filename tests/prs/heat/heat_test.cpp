@@ -217,8 +217,9 @@ TEST(Heat, PartsThatCannotCoolHaveNoSteadyState) {
   c.heat->conductance = {.screw_ambient = 0.0, .nut_ambient = 1e-3, .screw_rollers = 20.0, .rollers_nut = 30.0};
   const LoadCaseResult found = analyze_heat(c).load_cases[0];
   EXPECT_EQ(found.heat->status, HeatStatus::no_steady_state);
-  EXPECT_THAT(found.heat->reason, ::testing::MatchesRegex(".*there [0-9.e+]+ W, which need [0-9.e+-]+ W/K to the "
-                                                          "surroundings; give them more conductance.*"));
+  EXPECT_THAT(found.heat->reason,
+              ::testing::MatchesRegex(".*they take up [0-9.e+]+ W, which need [0-9.e+-]+ W/K to the "
+                                      "surroundings; give them more conductance.*"));
   EXPECT_FALSE(found.slip);
 }
 

@@ -216,7 +216,7 @@ TEST(Plots, AButterflyOfTheLoadIsThatOfTheMeanMirrored) {
   const Result result = sweeps();
   const Figure mean = figure(solve_pictures(result), "butterfly", {});
   const Figure load = figure(solve_pictures(result, true), "butterfly", {});
-  const auto threads = static_cast<double>(result.contacts.mechanism.contacts_per_roller);
+  const auto threads = static_cast<double>(result.load_cases[0].threads->screw.load_rate.size());
   EXPECT_EQ(load.y.unit, "% of the load");
   EXPECT_EQ(load.x.from, -mean.x.to);
   EXPECT_EQ(load.x.to, -mean.x.from);
