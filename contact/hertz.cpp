@@ -28,13 +28,6 @@ HertzConstants hertz_constants(double kappa_1, double kappa_2, double contact_mo
   return hertz_constants(PrincipalValues{kappa_1, kappa_2, 0.0}, contact_modulus);
 }
 
-double HertzContact::pressure(double along_major, double along_minor) const {
-  if (normal_load <= 0.0) return 0.0;
-  const double x = along_major / semi_major;
-  const double y = along_minor / semi_minor;
-  return peak_pressure * std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
-}
-
 HertzContact at_load(const HertzConstants& constants, double normal_load) {
   HertzContact contact;
   if (normal_load <= 0.0) return contact;

@@ -75,11 +75,6 @@ struct HertzContact {
   double semi_major = 0.0;     ///< a [m]
   double semi_minor = 0.0;     ///< b [m], <= a
   double peak_pressure = 0.0;  ///< p_0 = 3 N/(2 pi a b) [Pa]
-
-  /// Pressure [Pa] at a point of the tangent plane, coordinates along the major and the minor axis
-  /// from the centre [m]: p_0 sqrt(1 - (x/a)^2 - (y/b)^2) inside the ellipse, else zero (Yao 2023,
-  /// (40)).
-  double pressure(double along_major, double along_minor) const;
 };
 
 /// The contact under the normal load N [N]; a load <= 0 leaves it open (all zero).

@@ -4,6 +4,7 @@ against their order, circles of folders, sources of no room, too many tokens or 
 what one room declares and another defines: functions, members, types. So each room links alone."""
 
 import argparse
+import ast
 import re
 import sys
 import tomllib
@@ -26,7 +27,7 @@ TOKEN = re.compile(
     r"|[A-Za-z_]\w*|\.?\d(?:[\w.']|[eEpP][+-])*|::|->|<<|>>|[-+*/%=<>!&|^]=|&&|\|\||\+\+|--|\S",
     re.DOTALL | re.MULTILINE,
 )
-MOST_PLOT_LINES = 1_000
+MOST_PLOT_LINES = 950
 
 
 CPP = (".h", ".c", ".cpp")
@@ -129,12 +130,20 @@ def faults(rooms: dict[str, Room]) -> Iterator[str]:
     if tokens > MOST_TOKENS:
         yield f"{tokens} tokens of {MOST_TOKENS} in C and C++; shrink what stands twice"
     plots = "python/rollerscrew/plots"
-    lines = sum(file.read_text().count("\n") for file in (ROOT / plots).rglob("*.py"))
+    lines = sum(lines_of_code(file.read_text()) for file in (ROOT / plots).rglob("*.py"))
     if lines > MOST_PLOT_LINES:
         yield f"{plots}: {lines} lines of {MOST_PLOT_LINES}; shrink what stands twice"
     loose = [file for file in (ROOT / "prs").iterdir() if file.suffix in (".h", ".cpp")]
     if len(loose) > MOST_LOOSE_FILES:
         yield f"prs/: {len(loose)} loose files of {MOST_LOOSE_FILES}; move them into rooms"
+
+
+def lines_of_code(source: str) -> int:
+    """Lines of a Python source without docstrings, which say more to readers than they cost."""
+    places = (ast.Module, ast.ClassDef, ast.FunctionDef)
+    nodes = [node for node in ast.walk(ast.parse(source)) if isinstance(node, places)]
+    docs = [node.body[0] for node in nodes if ast.get_docstring(node, clean=False)]
+    return source.count("\n") - sum(doc.end_lineno - doc.lineno + 1 for doc in docs)
 
 
 class Statement(NamedTuple):

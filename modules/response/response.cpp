@@ -127,7 +127,7 @@ void tell_of_preload(const Case& c, const std::string& load_case, std::vector<Wa
     const std::optional<double> torque = torque_at_zero_load(c, load_case);
     if (!torque) continue;
     warning.what += ", {value} by `prs slip` at zero load";
-    warning = std::move(warning).with(torque, {}, text_unit::newton_metre);
+    warning = std::move(warning).with(torque, {}, "N m"_unit);
   }
 }
 
@@ -183,7 +183,7 @@ void warn_of_pressure(ResponseResult& r) {
                   fmt::format("peak pressure {{value}} exceeds {{limit}}, under {:.4g} kN in {} at {:.6g} ms",
                               1e-3 * largest->force, name(d), 1e3 * largest->time),
                   "lower speed or torque, soften what stops the load, or take more contacts"}
-              .with(largest->peak_pressure, kStaticPressureLimit, text_unit::gigapascal));
+              .with(largest->peak_pressure, kStaticPressureLimit, "GPa"_unit));
 }
 
 void add_warnings(const Case& c, ResponseResult& r) {
@@ -197,13 +197,13 @@ void add_warnings(const Case& c, ResponseResult& r) {
                 "the largest force is {value}, the curves end at {limit}: beyond, the force goes on in "
                 "a straight line and friction grows with it",
                 "raise `response.curves.force`"}
-            .with(force, r.curves_force, text_unit::kilonewton));
+            .with(force, r.curves_force, "kN"_unit));
   if (r.curves_speed > 0.0 && speed > r.curves_speed * (1.0 + 1e-9))
     r.warnings.push_back(
         Warning{"response.curves.speed", "beyond_speed",
                 fmt::format("the screw reaches {:.0f} rpm, the table of friction ends at {:.0f} rpm, whose "
                             "values stay",
-                            speed * per_si::revolution_per_minute, r.curves_speed * per_si::revolution_per_minute),
+                            speed * "rpm"_per_si, r.curves_speed * "rpm"_per_si),
                 "raise `response.curves.speed`"});
   if (!(c.response->screw.inertia > 0.0))
     r.warnings.push_back({"response.screw.inertia", "no_screw_inertia",

@@ -41,12 +41,11 @@ Figures motion(const ResponseResult& r) {
   const std::size_t screw = figure.add("screw", line_of(Colour::vermillion));
   const std::size_t motor = figure.add("motor", line_of(Colour::green, Dash::dashed));
   const DriveResult& d = r.run;
-  figure.panels = {panel_of("Position", {"Position", "mm"}, {over_time(load, d, d.x, per_si::millimetre)}),
-                   panel_of("Speed of the load", {"Speed", "mm/s"}, {over_time(load, d, d.v, per_si::millimetre)}),
+  figure.panels = {panel_of("Position", {"Position", "mm"}, {over_time(load, d, d.x, "mm"_per_si)}),
+                   panel_of("Speed of the load", {"Speed", "mm/s"}, {over_time(load, d, d.v, "mm"_per_si)}),
                    panel_of("Speed of screw and motor", {"Speed", "rpm"},
-                            {over_time(screw, d, d.omega, per_si::revolution_per_minute),
-                             over_time(motor, d, d.omega_m, per_si::revolution_per_minute)}),
-                   panel_of("Deflection", {"Deflection", "µm"}, {over_time(screw, d, d.delta, per_si::micrometre)})};
+                            {over_time(screw, d, d.omega, "rpm"_per_si), over_time(motor, d, d.omega_m, "rpm"_per_si)}),
+                   panel_of("Deflection", {"Deflection", "µm"}, {over_time(screw, d, d.delta, "µm"_per_si)})};
   return {std::move(figure)};
 }
 
@@ -57,11 +56,11 @@ Figures force(const ResponseResult& r) {
   const std::size_t motor = figure.add("motor", line_of(Colour::vermillion));
   const std::size_t coupling = figure.add("coupling", line_of(Colour::green, Dash::dashed));
   const DriveResult& d = r.run;
-  std::vector<Series> forces = {over_time(external, d, d.external, per_si::kilonewton),
-                                over_time(screw, d, d.force, per_si::kilonewton)};
+  std::vector<Series> forces = {over_time(external, d, d.external, "kN"_per_si),
+                                over_time(screw, d, d.force, "kN"_per_si)};
   if (!d.impacts.empty()) {
     Series marks{figure.add("impacts", points_of(Colour::ink, Mark::circle))};
-    for (const DriveImpact& i : d.impacts) marks.add(1e3 * i.force.time, i.flank * i.force.value * per_si::kilonewton);
+    for (const DriveImpact& i : d.impacts) marks.add(1e3 * i.force.time, i.flank * i.force.value * "kN"_per_si);
     forces.push_back(std::move(marks));
   }
   figure.panels = {
@@ -121,11 +120,11 @@ Figures frequency(const ResponseResult& r) {
   };
   if (f.of_torque) {
     panel("Motor speed over motor torque", {"Speed over torque", "rad/s/(N m)"}, f.motor_speed, 1.0, true);
-    panel("Phase of the motor speed", {"Phase", "deg"}, f.motor_speed_phase, per_si::degree, false);
-    panel("Position over motor torque", {"Position over torque", "µm/(N m)"}, f.position, per_si::micrometre, true);
+    panel("Phase of the motor speed", {"Phase", "deg"}, f.motor_speed_phase, "deg"_per_si, false);
+    panel("Position over motor torque", {"Position over torque", "µm/(N m)"}, f.position, "µm"_per_si, true);
   } else {
-    panel("Compliance at the load", {"Compliance", "µm/N"}, f.compliance, per_si::micrometre, true);
-    panel("Phase of the compliance", {"Phase", "deg"}, f.phase, per_si::degree, false);
+    panel("Compliance at the load", {"Compliance", "µm/N"}, f.compliance, "µm"_per_si, true);
+    panel("Phase of the compliance", {"Phase", "deg"}, f.phase, "deg"_per_si, false);
   }
   return {std::move(figure)};
 }

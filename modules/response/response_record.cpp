@@ -13,11 +13,12 @@ struct LargestOf : PartOf {};
 
 const DriveResult& run_of(const ResponseResult& r) { return r.run; }
 const DriveResult& run_of(const PartOf& part) { return part.whole->run; }
-template <auto member, auto guard = nullptr>
-constexpr auto of_run = of < [](const auto& owner) -> const auto& {
+template <auto member>
+constexpr auto member_of_run = [](const auto& owner) -> const auto& {
   return run_of(owner).*member;
-}
-, guard > ;
+};
+template <auto member, auto guard = nullptr>
+constexpr auto of_run = of<member_of_run<member>, guard>;
 
 }  // namespace
 
@@ -203,7 +204,7 @@ std::vector<Headline> headlines(const ResponseResult& r) {
       {"Largest force", "force_N", (*larger)->force, larger == &r.largest.tension ? "tension" : "compression"}};
   if (const std::optional<double> pressure = (*larger)->peak_pressure)
     all.push_back({"Peak pressure at the largest force", "peak_pressure_MPa", *pressure,
-                   fmt::format("limit {:g} GPa{}", kStaticPressureLimit * per_si::gigapascal,
+                   fmt::format("limit {:g} GPa{}", kStaticPressureLimit * "GPa"_per_si,
                                *pressure > kStaticPressureLimit ? ", not met" : "")});
   return all;
 }
@@ -212,8 +213,7 @@ std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase&)
   FoundCriterion pressure("peak_pressure"), speed("largest_speed"), compression("largest_compression");
   for (const Direction d : kDirections)
     if (const auto& largest = r.largest[d]; largest && largest->peak_pressure)
-      pressure.take(*largest->peak_pressure * per_si::megapascal, "response",
-                    fmt::format("largest force in {}", name(d)));
+      pressure.take(*largest->peak_pressure * "MPa"_per_si, "response", fmt::format("largest force in {}", name(d)));
   pressure.best.reset();  // The best value is one of load cases, and a motion has none.
   speed.take(r.run.largest_speed, "response");
   if (const auto& largest = r.largest.compression; largest && largest->force != 0.0)

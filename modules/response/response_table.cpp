@@ -58,7 +58,7 @@ std::string settling_text(const SettlingResult& s, double band) {
 
 std::string curves_text(const ResponseResult& r) {
   std::string text = fmt::format("to {}", fixed_with_unit(r.curves_force, "kN", 1));
-  if (r.curves_speed > 0.0) text += fmt::format(", {:.4g} rpm", r.curves_speed * per_si::revolution_per_minute);
+  if (r.curves_speed > 0.0) text += fmt::format(", {:.4g} rpm", r.curves_speed * "rpm"_per_si);
   if (!r.load_case.empty()) text += fmt::format(", load case `{}`", r.load_case);
   return text;
 }
@@ -69,7 +69,7 @@ std::string motion_text(const DriveResult& d) {
   for (const double v : d.v) speed = std::max(speed, std::abs(v));
   return fmt::format("{} to {}, ends at {}; up to {}, {:.4g} rpm of the screw", fixed_with_unit(least, "mm", 3),
                      fixed_with_unit(most, "mm", 3), fixed_with_unit(d.x.back(), "mm", 3),
-                     significant_with_unit(speed, "mm/s"), d.largest_speed * per_si::revolution_per_minute);
+                     significant_with_unit(speed, "mm/s"), d.largest_speed * "rpm"_per_si);
 }
 
 }  // namespace
@@ -93,8 +93,7 @@ std::string response_table(const ResponseResult& r) {
                                         ? fmt::format("{} at {:.6g} ms, {} rms", fixed_with_unit(f->largest, "µm", 2),
                                                       1e3 * f->time, fixed_with_unit(f->rms, "µm", 2))
                                         : fmt::format("{:.4g} rpm at {:.6g} ms, {:.4g} rpm rms",
-                                                      f->largest * per_si::revolution_per_minute, 1e3 * f->time,
-                                                      f->rms * per_si::revolution_per_minute));
+                                                      f->largest * "rpm"_per_si, 1e3 * f->time, f->rms * "rpm"_per_si));
   text += energies_text(r);
   if (r.settling) text += line("settled after", settling_text(*r.settling, r.input.settling->band));
   if (r.frequency_response) {

@@ -189,14 +189,14 @@ std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
       const ComparedModel m{&c, k, model};
       const LoadCaseResult& r = m.result();
       load_fields(csv, r.load_case);
-      csv.fields(m.model_name(), r.converged(), scaled(r.axial_stiffness, per_si::newton_per_micrometre),
-                 stiffness_over_best(m), scaled(r.axial_displacement, per_si::micrometre));
+      csv.fields(m.model_name(), r.converged(), scaled(r.axial_stiffness, "N/µm"_per_si), stiffness_over_best(m),
+                 scaled(r.axial_displacement, "µm"_per_si));
       for (const Interface i : kInterfaces) {
         const std::vector<double> shares = r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
         csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
-        csv.number(entry(shares, index_of_largest(shares)), per_si::percent);
+        csv.number(entry(shares, index_of_largest(shares)), "%"_per_si);
       }
-      csv.row(scaled(largest_pressure(r), per_si::megapascal), pressure_over_best(m));
+      csv.row(scaled(largest_pressure(r), "MPa"_per_si), pressure_over_best(m));
     }
   return csv.take();
 }
@@ -221,7 +221,7 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   if (k >= c.load_cases() || !answered(k)) return {};
   const LoadCase& load = c.best().load_cases[k].load_case;
   Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {:.4g} kN", shown_name(load.name),
-                                              load.axial_force * per_si::kilonewton)};
+                                              load.axial_force * "kN"_per_si)};
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
   for (std::size_t m = 0; m < c.models.size(); ++m)
@@ -231,11 +231,11 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
     Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
     for (std::size_t m = 0; m < c.models.size(); ++m) {
       const InterfaceLoads& loads = (*c.models[m].load_cases[k].threads)[i];
-      panel.series.push_back({m, {over_threads(of_most_loaded_roller(loads), per_si::percent)}});
+      panel.series.push_back({m, {over_threads(of_most_loaded_roller(loads), "%"_per_si)}});
     }
   }
   figure.x = thread_axis(threads);
-  add_mean(figure, per_si::percent / static_cast<double>(threads));
+  add_mean(figure, "%"_per_si / static_cast<double>(threads));
   fit_y_range(figure, true);
   return {std::move(figure)};
 }

@@ -77,7 +77,7 @@ std::optional<std::string> slope_unit(const ComparedReference& r) {
 /// Stiffness of a curve of displacements over the force [N/m].
 std::optional<double> stiffness(const ReferenceCurve& reference, std::optional<double> slope) {
   if (reference.response != "axial_displacement_um" || !slope || *slope == 0.0) return std::nullopt;
-  return per_si::micrometre / *slope;
+  return "µm"_per_si / *slope;
 }
 
 template <class T>

@@ -87,7 +87,7 @@ bool is_of_one_figure(const ReferenceCurve& a, const ReferenceCurve& b) {
 
 /// The mean share of a thread.
 void add_mean_share(Figure& figure, const ModelComparison& c, const ReferenceCurve& r) {
-  if (last_key(r) == "load_rate_percent") add_mean(figure, per_si::percent / static_cast<double>(thread_count(c)));
+  if (last_key(r) == "load_rate_percent") add_mean(figure, "%"_per_si / static_cast<double>(thread_count(c)));
 }
 
 }  // namespace

@@ -80,8 +80,8 @@ constexpr std::size_t kMostDetails = 6;
 std::string gears_cell(const Configuration& c) {
   if (c.gears.empty()) return std::string(kAbsent);
   const GearPair& best = c.gears.front();
-  std::string text = fmt::format("{}:{}, {:.4g}{}", best.roller_teeth, best.body_teeth,
-                                 best.module * per_si::millimetre, best.series == 1 ? "" : "*");
+  std::string text = fmt::format("{}:{}, {:.4g}{}", best.roller_teeth, best.body_teeth, best.module * "mm"_per_si,
+                                 best.series == 1 ? "" : "*");
   if (best.most_rollers < c.mechanism.rollers) text += fmt::format(" ≤{}", best.most_rollers);
   return text;
 }
@@ -183,7 +183,7 @@ std::string configurations_csv(const Configurations& all, const CsvStyle& style)
           "roller_pitch_diameter_mm", "nut_pitch_diameter_mm", "centre_distance_mm", "gear_ratio", "lead_mm",
           "roller_lead_mm", "screw_helix_angle_deg", "roller_helix_angle_deg", "nut_helix_angle_deg", "most_rollers",
           "rollers", "crest_gap_mm", "indexing_angle_deg", "alike");
-  constexpr double mm = per_si::millimetre, degree = per_si::degree;
+  constexpr double mm = "mm"_per_si, degree = "deg"_per_si;
   for (std::size_t k = 0; k < all.found.size(); ++k) {
     const Configuration& c = all.found[k];
     const Mechanism& m = c.mechanism;

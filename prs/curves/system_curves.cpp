@@ -240,7 +240,7 @@ void add_loaded_branches(const Conditions& c, const Contacts& contacts, const Lo
                   fmt::format("in {} the force begins at {{value}}, as the misalignment moves the "
                               "loaded section; the deflection of the model counts from there",
                               name(d))}
-              .with(shift, {}, text_unit::millimetre));
+              .with(shift, {}, "mm"_unit));
     add_new(loads.warnings(d, largest), curves.warnings);
   }
 }

@@ -34,7 +34,7 @@ std::string remarks(const RobotConstants& r, const ModelText& text) {
       "  + {:.6g} N s/m of the speed, off by {:.4g} N at the most and {:.4g} N rms.\n"
       "  Lost: play ({:.4g} um), elasticity, friction that grows with the load and differs by sense.\n",
       std::regex_replace(html(text.case_file), std::regex("--"), "-&#45;"), text.case_sha256, kVersion, r.friction_load,
-      r.no_load, r.per_load, r.per_speed, r.largest_error, r.rms_error, r.play * per_si::micrometre);
+      r.no_load, r.per_load, r.per_speed, r.largest_error, r.rms_error, r.play * "µm"_per_si);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ nlohmann::ordered_json robot_json(const RobotConstants& r) {
   if (r.screw_drives) efficiency["screw_drives"] = *r.screw_drives;
   if (r.load_drives) efficiency["load_drives"] = *r.load_drives;
   json["efficiency"] = std::move(efficiency);
-  json["play_um"] = r.play * per_si::micrometre;
+  json["play_um"] = r.play * "µm"_per_si;
   json["largest_force_N"] = r.largest_force;
   json["largest_speed_m_per_s"] = r.largest_speed;
   return json;

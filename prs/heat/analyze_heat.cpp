@@ -36,7 +36,7 @@ void warn(const HeatResult& heat, std::vector<Warning>& warnings) {
       warnings.push_back(Warning{"heat", fmt::format("hot_{}", name(p)),
                                  fmt::format("{} at {:.0f} degC: above {} oils and hardened flanks do not last",
                                              name(p), heat.temperature[p] - 273.15, celsius(kHotParts))}
-                             .with(heat.temperature[p], kHotParts, text_unit::kelvin));
+                             .with(heat.temperature[p], kHotParts, "K"_unit));
 }
 
 /// Forces of one sense up to this number are solved one by one; of more, heat is interpolated over

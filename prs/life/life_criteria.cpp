@@ -17,7 +17,7 @@ FoundCriterion rated_life(const LifeResult& r, const JudgedCase& of) {
   // A maker's capacity comes from real screws: uneven sharing is in it.
   const LifeInUse in = in_use(r, r.lemor ? r.system_life : r.catalogue_life);
   const std::string note = fmt::format(
-      "{:g} % reach it; {}{}", r.life.reliability * per_si::percent,
+      "{:g} % reach it; {}{}", r.life.reliability * "%"_per_si,
       r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
               : "stated C_a already includes uneven sharing",
       r.modified ? fmt::format("; {:.3g} times as long with film and dirt by ISO 281", r.modified->factor) : "");
@@ -25,7 +25,7 @@ FoundCriterion rated_life(const LifeResult& r, const JudgedCase& of) {
   if (!r.converged())
     found.why = "the life did not converge";
   else if (limit ? limit->travel.has_value() : !in.hours.has_value())
-    found.take(in.rated * in.travel * per_si::kilometre, loads_of(r), note);
+    found.take(in.rated * in.travel * "km"_per_si, loads_of(r), note);
   else if (in.hours)
     found.take(in.rated * *in.hours, loads_of(r), r.duration ? note : note + "; hours of motion");
   else
@@ -57,8 +57,7 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
       edge.take(flank->flank_edge_margin(), where, fmt::format("in {}, at rest", name(d)));
       for (const Interface i : kInterfaces)
         if (flank->peak_pressure[i])
-          pressure.take(*flank->peak_pressure[i] * per_si::megapascal, where,
-                        fmt::format("roller-{}, {}", name(i), name(d)));
+          pressure.take(*flank->peak_pressure[i] * "MPa"_per_si, where, fmt::format("roller-{}, {}", name(i), name(d)));
     }
     if (const auto& flank = r.flanks.compression; flank && flank->largest_force > 0.0)
       compression.take(flank->largest_force, where);

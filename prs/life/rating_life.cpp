@@ -86,7 +86,7 @@ std::optional<Warning> beside_lemor_angle(double contact_angle) {
   if (std::abs(contact_angle - std::numbers::pi / 4) <= kAngleTolerance) return std::nullopt;
   return Warning{"mechanism.flank_angle", "beside_lemor_angle",
                  "contact angle {value}: the factor of Lemor's capacity is that of 45 deg"}
-      .with(contact_angle, {}, text_unit::degree);
+      .with(contact_angle, {}, "deg"_unit);
 }
 
 std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity) {
@@ -94,7 +94,7 @@ std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity)
   return Warning{"", "beyond_life_formula",
                  "the mean load is {value} of the dynamic capacity; the life formula holds "
                  "up to half of it (ISO 281)"}
-      .with(load / dynamic_capacity, 0.5, text_unit::percent);
+      .with(load / dynamic_capacity, 0.5, "%"_unit);
 }
 
 double rating_life(double capacity, double load) {

@@ -64,10 +64,10 @@ std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_loa
                  fmt::format("the load is {:.1f} % of the {{limit}} at which {} reaches the end of a "
                              "flank, which is below the static capacity of {:.4g} kN; expected at most "
                              "{:.0f} %",
-                             load / edge_load * per_si::percent, ellipse, static_capacity * per_si::kilonewton,
-                             per_si::percent / kUsualStaticSafety),
+                             load / edge_load * "%"_per_si, ellipse, static_capacity * "kN"_per_si,
+                             "%"_per_si / kUsualStaticSafety),
                  "lower the load or the profile radius, or take a coarser pitch"}
-      .with(load, edge_load, text_unit::kilonewton);
+      .with(load, edge_load, "kN"_unit);
 }
 
 std::optional<Warning> dynamic_above_static(double dynamic_capacity, double static_capacity) {
@@ -76,7 +76,7 @@ std::optional<Warning> dynamic_above_static(double dynamic_capacity, double stat
                  "the dynamic capacity of {value} is above the static one of {limit}; "
                  "makers' static capacities are 1.4 to 4 times the dynamic",
                  "check stated capacities, which must be one maker's, or the profile radius"}
-      .with(dynamic_capacity, static_capacity, text_unit::kilonewton);
+      .with(dynamic_capacity, static_capacity, "kN"_unit);
 }
 
 std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating, std::string_view shares) {
@@ -91,7 +91,7 @@ std::optional<Warning> beyond_static_rating(double load, const StaticRating& rat
                              "above {{limit}}",
                              shares, load / rating.force, describe(rating.limit)),
                  "reduce it"}
-      .with(load, rating.force, text_unit::kilonewton);
+      .with(load, rating.force, "kN"_unit);
 }
 
 std::string describe(StaticLimit limit) {

@@ -233,7 +233,7 @@ std::string most_loaded_cell(const LoadCaseResult& result, Interface i) {
   const auto& rollers = (*result.threads)[i].rollers;
   const std::string place =
       rollers ? fmt::format("{}.{}", rollers->largest_roller, rollers->largest_thread) : fmt::to_string(*thread + 1);
-  return fmt::format("{}: {:5.2f}", place, rates[*thread] * per_si::percent);
+  return fmt::format("{}: {:5.2f}", place, rates[*thread] * "%"_per_si);
 }
 
 std::string pressure_cell(const LoadCaseResult& result) {

@@ -22,17 +22,16 @@ std::string mechanism_title(const Contacts& contacts) {
   const contact::MechanismGeometry& threads = contacts.threads;
   return fmt::format("{}{} screw {:.4g} × {:.4g} mm", threads.screw.lead < 0.0 ? "left-handed " : "",
                      threads.type == contact::MechanismType::standard ? "standard" : "inverted",
-                     2.0 * threads.screw.pitch_radius * per_si::millimetre,
-                     std::abs(threads.screw.lead) * per_si::millimetre);
+                     2.0 * threads.screw.pitch_radius * "mm"_per_si, std::abs(threads.screw.lead) * "mm"_per_si);
 }
 
 /// A range about its middle [m], shown in mm.
 Axis axis_about(std::string label, double middle, double half) {
-  return {std::move(label), "mm", (middle - half) * per_si::millimetre, (middle + half) * per_si::millimetre};
+  return {std::move(label), "mm", (middle - half) * "mm"_per_si, (middle + half) * "mm"_per_si};
 }
 
 /// A point of a drawing [mm], from its coordinates [m].
-std::array<double, 2> point_mm(double x, double y) { return {x * per_si::millimetre, y * per_si::millimetre}; }
+std::array<double, 2> point_mm(double x, double y) { return {x * "mm"_per_si, y * "mm"_per_si}; }
 
 constexpr int kFlankPoints = 24;
 
@@ -99,7 +98,7 @@ Polyline outline(const Cut& cut, double half_length) {
     const double angle = std::atan2(cut.plane, from_axis);
     return point_mm(cut.origin + rise + angle * surface.reduced_lead, cut.axis + from_axis);
   };
-  const double middle = point(surface.pitch_radius, 0.0)[0] / per_si::millimetre;
+  const double middle = point(surface.pitch_radius, 0.0)[0] / "mm"_per_si;
   const double first = std::floor((-half_length - middle) / surface.pitch) - 1.0;
   const double last = std::ceil((half_length - middle) / surface.pitch);
   Polyline line;
@@ -115,8 +114,8 @@ Polyline outline(const Cut& cut, double half_length) {
 /// Area of the material between the outline and a line parallel to the axis.
 Polyline filled_to(const Polyline& outline, double x) {
   Polyline polygon = outline;
-  polygon.push_back({outline.back()[0], x * per_si::millimetre});
-  polygon.push_back({outline.front()[0], x * per_si::millimetre});
+  polygon.push_back({outline.back()[0], x * "mm"_per_si});
+  polygon.push_back({outline.front()[0], x * "mm"_per_si});
   return polygon;
 }
 
@@ -184,17 +183,16 @@ std::vector<Series> section_lines(Figure& figure, const Section& section) {
 void add_backlash(Panel& panel, const InterfaceCut& cut, double backlash) {
   constexpr double kVisible = 1e-6;  // [m]
   if (!contact::same_pitch(cut.body.thread.pitch, cut.roller.thread.pitch)) return;
-  panel.labels.push_back({fmt::format("backlash {} mm", number(backlash * per_si::millimetre, 3)), 0.03, 0.93, true});
+  panel.labels.push_back({fmt::format("backlash {} mm", number(backlash * "mm"_per_si, 3)), 0.03, 0.93, true});
   if (std::abs(cut.body.plane) > kVisible) panel.labels.push_back({"other flanks nearest at −y", 0.03, 0.85, true});
 }
 
 Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface i, const std::vector<Series>& lines) {
   const double half = 0.45 * cut.roller.thread.pitch;
-  Panel panel{fmt::format("{} at {}, y = {} mm", interface_title(i), letter(i),
-                          number(cut.body.plane * per_si::millimetre, 3))};
+  Panel panel{
+      fmt::format("{} at {}, y = {} mm", interface_title(i), letter(i), number(cut.body.plane * "mm"_per_si, 3))};
   panel.series = lines;
-  panel.labels.push_back(
-      {letter(i), (cut.contact_z + 0.12 * half) * per_si::millimetre, cut.contact_x * per_si::millimetre});
+  panel.labels.push_back({letter(i), (cut.contact_z + 0.12 * half) * "mm"_per_si, cut.contact_x * "mm"_per_si});
   add_backlash(panel, cut, contacts.interfaces[i].geometry.point.backlash);
   panel.x = axis_about("z", cut.contact_z, half);
   panel.y = axis_about("x", cut.contact_x, half);
@@ -279,7 +277,7 @@ std::size_t style_of(Part part) { return static_cast<std::size_t>(part); }
 /// Label of the contact point next to its mark, on the roller and above the lines.
 Label mark_label(const Contacts& contacts, Interface i, double distance) {
   const auto [x, y] = contact_mm(contacts, i);
-  const double up = distance * per_si::millimetre;
+  const double up = distance * "mm"_per_si;
   return {letter(i), x + (i == Interface::screw ? up : -up), y + up, false, Label::Anchor::centre};
 }
 
@@ -316,8 +314,8 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
   const double half = std::max(0.75 * std::hypot(dx, dy), 0.04 * roller.radius);
   const double reach = 8.0 * half;
 
-  Panel panel{fmt::format("{}: {}° {}, {}° roller", letter(i), number(point.angle_on_body * per_si::degree, 2),
-                          title(body.part), number(point.angle_on_roller * per_si::degree, 2))};
+  Panel panel{fmt::format("{}: {}° {}, {}° roller", letter(i), number(point.angle_on_body * "deg"_per_si, 2),
+                          title(body.part), number(point.angle_on_roller * "deg"_per_si, 2))};
   panel.series.push_back({style_of(body.part), {near_line_of_centres(body, 1.0, reach)}});
   panel.series.push_back({kRollerCircle, {near_line_of_centres(roller, i == Interface::screw ? -1.0 : 1.0, reach)}});
   panel.series.push_back({kCentres, {{point_mm(0.0, 0.0), point_mm(threads.nut.pitch_radius + reach, 0.0)}}});
@@ -377,8 +375,8 @@ std::optional<LoadedThread> most_loaded(const Result& result, Interface i) {
 DrawnEllipse loaded_ellipse(const LoadedThread& at, Interface i) {
   const InterfaceLoads& loads = (*at.load_case->threads)[i];
   const std::size_t k = at.thread;
-  return {loads.semi_major[k] * per_si::millimetre, loads.semi_minor[k] * per_si::millimetre,
-          fmt::format("{:.4g} N, {:.3f} GPa", loads.normal_load[k], loads.peak_pressure[k] * per_si::gigapascal)};
+  return {loads.semi_major[k] * "mm"_per_si, loads.semi_minor[k] * "mm"_per_si,
+          fmt::format("{:.4g} N, {:.3f} GPa", loads.normal_load[k], loads.peak_pressure[k] * "GPa"_per_si)};
 }
 
 /// Ellipse without load; absent if the relative curvatures give none.

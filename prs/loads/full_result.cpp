@@ -52,7 +52,7 @@ std::optional<Warning> forced_bearings(const std::vector<SupportForce>& bearings
                              "force",
                              largest / axial_force),
                  "check their `offset`, or give them a stiffness in place of `lateral: rigid`"}
-      .with(largest, {}, text_unit::kilonewton);
+      .with(largest, {}, "kN"_unit);
 }
 
 std::optional<Warning> lifted_shoulder(const Structure::Nut& nut, const SupportForce& seat) {
@@ -62,7 +62,7 @@ std::optional<Warning> lifted_shoulder(const Structure::Nut& nut, const SupportF
   return Warning{"structure.nut.shoulder", "lifted_shoulder",
                  "the moment of {value} lifts one side of a shoulder that only pushes, "
                  "from {limit} on; the model holds it there, as bolts do"}
-      .with(moment, held, text_unit::newton_metre);
+      .with(moment, held, "N m"_unit);
 }
 
 /// Whether no roller has deviations of its own.
@@ -237,7 +237,7 @@ void warn_of_openings(const FullDistribution& d, const Contacts& contacts, const
                                  fmt::format("a {} contact opens by {{value}}, more than the backlash of "
                                              "{{limit}}: the other flank would touch, which the model leaves out",
                                              label(i))}
-                             .with(opening, point.backlash, text_unit::millimetre));
+                             .with(opening, point.backlash, "mm"_unit));
   }
 }
 
@@ -345,7 +345,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
                                "the loaded section moves {value} against the force, as side loads "
                                "or displaced parts have it, so that `axial_stiffness` is negative",
                                "take `tangent_stiffness`"}
-                           .with(-*result.axial_displacement, {}, text_unit::millimetre));
+                           .with(-*result.axial_displacement, {}, "mm"_unit));
   warn_of_openings(d, contacts, laws, warnings);
   if (std::optional<Warning> warning = forced_bearings(d.bearings, f.axial_force))
     warnings.push_back(std::move(*warning));

@@ -53,7 +53,7 @@ constexpr CaseColumn kColumns[] = {
 
 std::vector<double> percent(const std::vector<double>& rates) {
   std::vector<double> shown;
-  for (const double rate : rates) shown.push_back(rate * per_si::percent);
+  for (const double rate : rates) shown.push_back(rate * "%"_per_si);
   return shown;
 }
 
@@ -86,11 +86,11 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
     const std::vector<double> deviation = t.deviation();
     for (std::size_t k = 0; k < t.angle.size(); ++k) {
       load_fields(positions, r.load_case);
-      positions.number(t.angle[k], per_si::degree);
-      positions.number(deviation[k], per_si::micrometre);
+      positions.number(t.angle[k], "deg"_per_si);
+      positions.number(deviation[k], "µm"_per_si);
       positions.number(t.tangent_stiffness.empty() ? std::nullopt : std::optional(t.tangent_stiffness[k]), 1e-6);
       for (const double value : {t.end_displacement[k].y, t.end_displacement[k].z})
-        positions.number(value, per_si::micrometre);
+        positions.number(value, "µm"_per_si);
       for (const double value : {t.end_rotation[k].y, t.end_rotation[k].z}) positions.number(value, 1e3);
       for (const double value :
            {t.nut.force[k][0], t.nut.force[k][1], t.nut.force[k][2], t.nut.moment[k].y, t.nut.moment[k].z})
@@ -185,7 +185,7 @@ std::string load_distribution_chart(const LoadCaseResult& result) {
     const InterfaceLoads& loads = (*result.threads)[i];
     shares[i] = percent(rollers ? loads.rollers->share : loads.load_rate);
   }
-  const double mean = per_si::percent / static_cast<double>(shares.screw.size());
+  const double mean = "%"_per_si / static_cast<double>(shares.screw.size());
   return fmt::format("{}: share of each {}, mean {:.2f} %\n", title, rollers ? "roller" : "thread", mean) +
          bar_chart(shares, 2, "%");
 }
@@ -197,8 +197,8 @@ void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface 
   const auto thread = index_of_largest(loads.load_rate);
   const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
   csv.fields(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt,
-             scaled(entry(loads.load_rate, thread), per_si::percent),
-             scaled(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)), per_si::megapascal));
+             scaled(entry(loads.load_rate, thread), "%"_per_si),
+             scaled(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)), "MPa"_per_si));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
           fmt::format("{}_ellipse_beyond_{}_of_{}", name(i), contact::name(v.end), v.of_roller ? "roller" : name(i)),
           fmt::format("the largest {} ellipse reaches {{value}} beyond the {} of the {}", label(i),
                       contact::name(v.end), v.of_roller ? "roller" : name(i))}
-                             .with(v.by, {}, text_unit::millimetre));
+                             .with(v.by, {}, "mm"_unit));
 }
 
 /// Number of contacts of missing rollers.
@@ -216,7 +216,7 @@ std::optional<Warning> static_pressure_warning(std::string path, Interface i, do
   if (!limit || pressure <= *limit) return std::nullopt;
   return Warning{std::move(path), fmt::format("{}_peak_pressure", name(i)),
                  fmt::format("{} peak pressure {{value}} exceeds {{limit}}", label(i))}
-      .with(pressure, *limit, text_unit::gigapascal);
+      .with(pressure, *limit, "GPa"_unit);
 }
 
 std::optional<Warning> running_pressure_warning(std::string path, Interface i, double pressure,
@@ -226,9 +226,9 @@ std::optional<Warning> running_pressure_warning(std::string path, Interface i, d
   return Warning{std::move(path), fmt::format("{}_running_pressure", name(i)),
                  fmt::format("{} peak pressure {{value}} is above {:g} GPa, much for flanks that run "
                              "({{limit}} is the limit at rest)",
-                             label(i), kRunningPressureLimit * per_si::gigapascal),
+                             label(i), kRunningPressureLimit * "GPa"_per_si),
                  "lower the load or take more contacts"}
-      .with(pressure, *limit, text_unit::gigapascal);
+      .with(pressure, *limit, "GPa"_unit);
 }
 
 }  // namespace prs

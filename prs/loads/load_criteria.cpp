@@ -49,7 +49,7 @@ FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, 
       } else if (of.limits.stiffness) {
         note += ", without the shaft: measures.shaft is missing";
       }
-      found.take(*stiffness * per_si::newton_per_micrometre, r.load_case.name, note);
+      found.take(*stiffness * "N/µm"_per_si, r.load_case.name, note);
     };
     // Loads across the axis move the screw too, so that force over displacement may be no stiffness; a tilted or
     // offset seat moves it without any load.
@@ -78,7 +78,7 @@ FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_res
     if (!r.threads || (at_rest && at_rest->preloaded.contains(r.load_case.name))) continue;
     for (const Interface i : kInterfaces)
       if (const auto pressure = largest_pressure(result, r, i))
-        found.take(*pressure * per_si::megapascal, r.load_case.name,
+        found.take(*pressure * "MPa"_per_si, r.load_case.name,
                    fmt::format("roller-{}{}", name(i), at_rest ? at_rest->without_preload() : ""));
   }
   return found;

@@ -9,7 +9,7 @@ namespace prs {
 double signed_kN(const LoadCaseResult& result) {
   const auto& direction = result.load_case.direction;
   const double sign = direction == Direction::compression ? -1.0 : 1.0;
-  return sign * result.load_case.axial_force * per_si::kilonewton;
+  return sign * result.load_case.axial_force * "kN"_per_si;
 }
 
 std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOptions& options) {
@@ -66,7 +66,7 @@ std::string common_force(const std::vector<LoadedConfiguration>& all) {
   for (const LoadedConfiguration& c : all)
     for (const CaseGroup& group : c.groups)
       if (std::abs(force(group) - first) > 1e-9 * std::abs(first)) return {};
-  return fmt::format(", {:.4g} kN", first * per_si::kilonewton);
+  return fmt::format(", {:.4g} kN", first * "kN"_per_si);
 }
 
 template <std::vector<double> InterfaceLoads::*values>
@@ -128,29 +128,28 @@ namespace {
 
 Figures load_distribution(const Result& result, const FigureOptions& options) {
   std::optional<Figure> figure = thread_figure({"load_distribution", "Load distribution", "Share of the load", "%",
-                                                loads_of<&InterfaceLoads::load_rate>, per_si::percent, has_shares},
+                                                loads_of<&InterfaceLoads::load_rate>, "%"_per_si, has_shares},
                                                result, options);
   if (!figure) return {};
   // The threads of a panel's first line share 100 %.
   const Polyline& shares = figure->panels.front().series.front().parts.front();
-  add_mean(*figure, per_si::percent / static_cast<double>(shares.size()));
+  add_mean(*figure, "%"_per_si / static_cast<double>(shares.size()));
   return from_zero(std::move(figure));
 }
 
 /// Figures of the peak pressure, with the pressure up to which contacts are rated.
 Figures peak_pressure(const Result& result, const FigureOptions& options) {
-  std::optional<Figure> figure =
-      thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure", "MPa",
-                     loads_of<&InterfaceLoads::peak_pressure>, per_si::megapascal, has_pressure},
-                    result, options);
+  std::optional<Figure> figure = thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure", "MPa",
+                                                loads_of<&InterfaceLoads::peak_pressure>, "MPa"_per_si, has_pressure},
+                                               result, options);
   if (!figure) return {};
   const PerInterface<InterfaceContact>& of = result.contacts.interfaces;
   if (!of.screw.pressure_limit || !of.nut.pressure_limit) return from_zero(std::move(figure));
   const double pressure = std::min(*of.screw.pressure_limit, *of.nut.pressure_limit);
-  const std::size_t limit = figure->add(fmt::format("static limit {:.1f} GPa{}", pressure * per_si::gigapascal,
+  const std::size_t limit = figure->add(fmt::format("static limit {:.1f} GPa{}", pressure * "GPa"_per_si,
                                                     pressure == kStaticPressureLimit ? ", ISO 76" : ""),
                                         line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
-  for (Panel& panel : figure->panels) panel.references.push_back({limit, pressure * per_si::megapascal});
+  for (Panel& panel : figure->panels) panel.references.push_back({limit, pressure * "MPa"_per_si});
   return from_zero(std::move(figure));
 }
 
@@ -246,7 +245,7 @@ Panel butterfly_panel(const LoadedConfiguration& sweep, Interface i) {
               group,
               [&](const LoadCaseResult& r) {
                 const double rate = (*r.threads)[i].load_rate[k];
-                return std::optional(rate * static_cast<double>(count) * per_si::percent);
+                return std::optional(rate * static_cast<double>(count) * "%"_per_si);
               },
               true));
     panel.series.push_back(std::move(series));
@@ -275,7 +274,7 @@ Figures stiffness(const Result& result, const FigureOptions&) {
   }
   figure.add("secant", {Colour::ink, Dash::solid});
   figure.add("tangent", {Colour::ink, Dash::dashed});
-  constexpr double kFactor = per_si::newton_per_micrometre;
+  constexpr double kFactor = "N/µm"_per_si;
   return over_load_figure(std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
     panel.series.push_back({2 * c, {over_load(g, &LoadCaseResult::axial_stiffness, kFactor)}});
     panel.series.push_back({2 * c + 1, {over_load(g, &LoadCaseResult::tangent_stiffness, kFactor)}});
@@ -290,7 +289,7 @@ Figures displacement(const Result& result, const FigureOptions&) {
   figure.y = {"Axial displacement", "µm"};
   for (std::size_t c = 0; c < sweeps.size(); ++c) figure.add(sweeps[c].name, case_line(c));
   return over_load_figure(std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
-    panel.series.push_back({c, {over_load(g, &LoadCaseResult::axial_displacement, per_si::micrometre)}});
+    panel.series.push_back({c, {over_load(g, &LoadCaseResult::axial_displacement, "µm"_per_si)}});
   });
 }
 
@@ -311,7 +310,7 @@ Figures butterfly(const Result& result, bool of_load, const FigureOptions& optio
     for (const Interface i : kInterfaces)
       if (!options.interface || i == *options.interface) figure.panels.push_back(butterfly_panel(sweep, i));
   figure.columns = options.interface ? 1 : std::size(kInterfaces);
-  double mean = per_si::percent;
+  double mean = "%"_per_si;
   if (of_load) {
     const auto count = static_cast<double>(thread_count(sweeps.front()));
     mean /= count;
@@ -371,9 +370,9 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
   Range pressure;
   for (const Interface i : kInterfaces) {
     const InterfaceLoads& loads = (*shown->threads)[i];
-    major = std::max(major, std::ranges::max(loads.semi_major) * per_si::millimetre);
-    minor = std::max(minor, std::ranges::max(loads.semi_minor) * per_si::millimetre);
-    for (const double p : loads.peak_pressure) pressure.include(p * per_si::megapascal);
+    major = std::max(major, std::ranges::max(loads.semi_major) * "mm"_per_si);
+    minor = std::max(minor, std::ranges::max(loads.semi_minor) * "mm"_per_si);
+    for (const double p : loads.peak_pressure) pressure.include(p * "MPa"_per_si);
   }
   if (!(major > 0.0)) return {};
   if (!(pressure.from < pressure.to)) pressure.widen(0.05);
@@ -389,9 +388,8 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
     for (std::size_t t = 0; t < threads; ++t) {
       const double x = static_cast<double>(t % per_row) * step;
       const double y = top - static_cast<double>(t / per_row) * height;
-      series.parts.push_back(
-          ellipse(x, y, loads.semi_major[t] * per_si::millimetre, loads.semi_minor[t] * per_si::millimetre, 0.0));
-      series.values.push_back(loads.peak_pressure[t] * per_si::megapascal);
+      series.parts.push_back(ellipse(x, y, loads.semi_major[t] * "mm"_per_si, loads.semi_minor[t] * "mm"_per_si, 0.0));
+      series.values.push_back(loads.peak_pressure[t] * "MPa"_per_si);
       panel.labels.push_back({std::to_string(t + 1), x, y + minor + 0.42 * major, false, Label::Anchor::centre});
       lowest = y;
     }
@@ -565,13 +563,13 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   for (const LoadCaseResult& load_case : result.load_cases)
     if (has_rollers(load_case))
       for (const double part : load_case.threads->screw.rollers->share)
-        range.include(part * load_case.full->rollers * per_si::percent);
+        range.include(part * load_case.full->rollers * "%"_per_si);
   for (int j = 0; j < count; ++j) {
     const double azimuth = shown->full->carrier_angle + 2.0 * std::numbers::pi * j / count;
     const auto [y, z] = towards(threads.centre_distance, azimuth);
     const auto [at_y, at_z] = towards(1.13 * nut, azimuth);
     const bool missing = std::ranges::count(shown->full->missing_rollers, j + 1) > 0;
-    const double percent = share[static_cast<std::size_t>(j)] * count * per_si::percent;
+    const double percent = share[static_cast<std::size_t>(j)] * count * "%"_per_si;
     panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false, Label::Anchor::centre});
     if (missing) continue;
     panel.labels.push_back({fmt::to_string(j + 1), y, z, false, Label::Anchor::centre});
@@ -604,7 +602,7 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   for (const Interface i : kInterfaces) {
     Polyline line;
     for (std::size_t m = 0; m < orbit.carrier_angle.size(); ++m)
-      line.push_back({orbit.carrier_angle[m] * per_si::degree, orbit.loads[i].first_roller[m]});
+      line.push_back({orbit.carrier_angle[m] * "deg"_per_si, orbit.loads[i].first_roller[m]});
     line.push_back({line.front()[0] + kTurn, line.front()[1]});  // Repeats the first position.
     panel.series.push_back({figure.add(interface_title(i), line_of(colour_of(body_of(i)),
                                                                    i == Interface::nut ? Dash::dashed : Dash::solid)),

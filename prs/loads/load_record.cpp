@@ -316,8 +316,7 @@ std::string model_line(const Result& result) {
   if (m.bodies->effects && !effects_off(m.refined).empty())
     line += fmt::format(", without {}", fmt::join(effects_off(m.refined), ", "));
   if (has_yamamoto(m))
-    line +=
-        fmt::format(", tooth deflection after Yamamoto over {:g} mm", m.tooth_compliance.width * per_si::millimetre);
+    line += fmt::format(", tooth deflection after Yamamoto over {:g} mm", m.tooth_compliance.width * "mm"_per_si);
   if (!known_bias(m).empty()) line += fmt::format(": {}", known_bias(m));
   return line + '\n';
 }

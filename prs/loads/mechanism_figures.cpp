@@ -5,7 +5,7 @@
 namespace prs {
 namespace {
 
-constexpr double kMm = per_si::millimetre;
+constexpr double kMm = "mm"_per_si;
 
 /// One external thread, or the air in the nut's, cut through its axis. Lengths in mm.
 struct Teeth {
@@ -229,8 +229,8 @@ void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCas
   panel.series.push_back(
       {figure.add(area_of(Colour::bad)), {pulls ? arrow(near, far, y, point) : arrow(far, near, y, point)}});
   const double middle = 0.5 * (near + far);
-  panel.labels.push_back({fmt::format("{:.4g} kN", shown.load_case.axial_force * per_si::kilonewton), middle, y + above,
-                          false, Label::Anchor::centre});
+  panel.labels.push_back({fmt::format("{:.4g} kN", shown.load_case.axial_force * "kN"_per_si), middle, y + above, false,
+                          Label::Anchor::centre});
   panel.labels.push_back(
       {std::string(name(*shown.load_case.direction)), middle, y - above, false, Label::Anchor::centre});
   figure.x.from = far - 0.1 * room;
@@ -396,9 +396,9 @@ Figures thread_pressure(const Result& result, const FigureOptions& options) {
   for (const Interface i : kInterfaces) {
     if (!chosen->has_ellipse(i)) continue;
     const InterfaceLoads& loads = chosen->at(i);
-    const double a = loads.semi_major[chosen->thread] * per_si::millimetre;
-    const double b = loads.semi_minor[chosen->thread] * per_si::millimetre;
-    const double peak = loads.peak_pressure[chosen->thread] * per_si::megapascal;
+    const double a = loads.semi_major[chosen->thread] * "mm"_per_si;
+    const double b = loads.semi_minor[chosen->thread] * "mm"_per_si;
+    const double peak = loads.peak_pressure[chosen->thread] * "MPa"_per_si;
     Panel& panel = figure.panels.emplace_back();
     panel.title = fmt::format("{}: {:.4g} N", interface_title(i), loads.normal_load[chosen->thread]);
     Series series{rings};
@@ -443,13 +443,13 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
     if (!chosen->has_ellipse(i)) continue;
     const InterfaceLoads& loads = chosen->at(i);
     const double a = loads.semi_major[chosen->thread], b = loads.semi_minor[chosen->thread];
-    const double peak = loads.peak_pressure[chosen->thread] * per_si::megapascal;
+    const double peak = loads.peak_pressure[chosen->thread] * "MPa"_per_si;
     const double nu = std::min((*c.materials)[body_of(i)].poisson_ratio, c.materials->roller.poisson_ratio);
     Series of_normal{normal}, of_major{major}, of_minor{minor}, of_shear{shear}, of_von_mises{von_mises};
     for (int k = 0; k <= kSteps; ++k) {
       const double depth = kDepth * b * k / kSteps;
       const contact::AxisStress s = contact::stress_on_axis(a, b, depth, nu);
-      const double x = depth * per_si::micrometre;
+      const double x = depth * "µm"_per_si;
       of_normal.add(x, s.along_normal * peak);
       of_major.add(x, s.along_major * peak);
       of_minor.add(x, s.along_minor * peak);
@@ -460,7 +460,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
     panel.series = {of_normal, of_major, of_minor, of_shear, of_von_mises};
     panel.references.push_back({zero, 0.0});
     if (!loads.max_shear_depth.empty())
-      panel.references.push_back({deepest, loads.max_shear_depth[chosen->thread] * per_si::micrometre, true});
+      panel.references.push_back({deepest, loads.max_shear_depth[chosen->thread] * "µm"_per_si, true});
   }
   if (figure.panels.empty()) return {};
   figure.columns = figure.panels.size();

@@ -41,7 +41,7 @@ Figures travel_deviation(const Result& result, const FigureOptions& options) {
   Polyline all, mean, below, above;
   for (std::size_t k = 0; k < t.angle.size(); ++k) {
     const double x = turns_at(t, k), on_line = t.bands.line[k] - t.mean_displacement;
-    const auto point = [&](double si) { return std::array{x, si * per_si::micrometre}; };
+    const auto point = [&](double si) { return std::array{x, si * "µm"_per_si}; };
     all.push_back(point(t.displacement[k] - t.mean_displacement));
     mean.push_back(point(on_line));
     below.push_back(point(on_line + low));
@@ -92,21 +92,21 @@ Figures travel_orders(const Result& result, const FigureOptions& options) {
       figure.add(fmt::format("spectrum, {:.3g} apart", 1.0 / std::abs(t.travel.turns)), line_of(Colour::blue))};
   std::vector<const OrderAmplitude*> largest;
   for (const OrderAmplitude& o : t.spectrum) {
-    lines.parts.push_back({{o.order, 0.0}, {o.order, o.amplitude * per_si::micrometre}});
+    lines.parts.push_back({{o.order, 0.0}, {o.order, o.amplitude * "µm"_per_si}});
     largest.push_back(&o);
   }
   std::ranges::sort(largest, std::greater<>(), &OrderAmplitude::amplitude);
   largest.resize(std::min(largest.size(), kNamed));
   Series fitted{figure.add("orders of the parts, fitted", points_of(Colour::vermillion, Mark::circle))};
   Polyline points;
-  for (const OrderAmplitude& o : t.orders) points.push_back({o.order, o.amplitude * per_si::micrometre});
+  for (const OrderAmplitude& o : t.orders) points.push_back({o.order, o.amplitude * "µm"_per_si});
   fitted.parts = {std::move(points)};
   Panel panel{.series = {std::move(lines), std::move(fitted)}};
   const auto base = motion_orders(result.contacts.mechanism, t.slip_ratio);
   for (const OrderAmplitude* o : largest)
     if (o->amplitude > 0.02 * largest.front()->amplitude)
       panel.labels.push_back(
-          {combination(o->order, 1.0 / std::abs(t.travel.turns), base), o->order, o->amplitude * per_si::micrometre});
+          {combination(o->order, 1.0 / std::abs(t.travel.turns), base), o->order, o->amplitude * "µm"_per_si});
   figure.x = {"Periods in a turn"};
   figure.y = {"Amplitude", "µm", 0.0};
   figure.panels.push_back(std::move(panel));
@@ -144,8 +144,7 @@ Figures travel_path(const Result& result, const FigureOptions& options) {
   if (!shown) return {};
   Figure figure = figure_of("travel_path", "Path of the screw's end", *shown);
   Polyline path;
-  for (const Lateral& l : shown->full->travel->end_displacement)
-    path.push_back({l.y * per_si::micrometre, l.z * per_si::micrometre});
+  for (const Lateral& l : shown->full->travel->end_displacement) path.push_back({l.y * "µm"_per_si, l.z * "µm"_per_si});
   figure.panels.push_back({.series = {{figure.add(line_of(Colour::blue)), {std::move(path)}}}});
   figure.x = {"y", "µm"};
   figure.y = {"z", "µm"};
@@ -171,7 +170,7 @@ Figures mode_shapes(const Result& result, const FigureOptions& options) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         Polyline line;
         for (std::size_t n = 0; n < m.x[i].size(); ++n)
-          line.push_back({m.x[i][n] * per_si::millimetre, m.modes[k].shape[i][n][axis]});
+          line.push_back({m.x[i][n] * "mm"_per_si, m.modes[k].shape[i][n][axis]});
         panel.series.push_back({axis + (i == Interface::screw ? 0 : 3), {std::move(line)}});
       }
     figure.panels.push_back(std::move(panel));

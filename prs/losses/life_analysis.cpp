@@ -261,10 +261,9 @@ Panel course_panel(const LoadHistory& h) {
     const auto [low, high] = std::minmax_element(h.force.begin() + static_cast<std::ptrdiff_t>(first),
                                                  h.force.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     const double from = time(first), to = time(last);
-    envelope.parts.push_back(
-        bar(0.5 * (from + to), *low * per_si::kilonewton, *high * per_si::kilonewton, 0.5 * (to - from)));
-    forces.include(*low * per_si::kilonewton);
-    forces.include(*high * per_si::kilonewton);
+    envelope.parts.push_back(bar(0.5 * (from + to), *low * "kN"_per_si, *high * "kN"_per_si, 0.5 * (to - from)));
+    forces.include(*low * "kN"_per_si);
+    forces.include(*high * "kN"_per_si);
   }
   panel.x = Axis{clock ? "Time" : "Sample", clock ? "h" : "", time(0), time(count - 1)};
   forces.widen(0.05);
@@ -293,15 +292,15 @@ Panel travel_panel(const LifeResult& r) {
   Series shares{0, {}}, damages{1, {{}}};
   double top = 0.0;
   for (std::size_t k = 0; k < share.size(); ++k) {
-    const double x = (forces.from + width * (static_cast<double>(k) + 0.5)) * per_si::kilonewton;
+    const double x = (forces.from + width * (static_cast<double>(k) + 0.5)) * "kN"_per_si;
     const double part = all_damage > 0.0 ? damage[k] / all_damage : 0.0;
-    shares.parts.push_back(bar(x, 0.0, per_si::percent * share[k], 0.46 * width * per_si::kilonewton));
-    damages.parts[0].push_back({x, per_si::percent * part});
+    shares.parts.push_back(bar(x, 0.0, "%"_per_si * share[k], 0.46 * width * "kN"_per_si));
+    damages.parts[0].push_back({x, "%"_per_si * part});
     top = std::max({top, share[k], part});
   }
   panel.series = {std::move(shares), std::move(damages)};
-  panel.x = Axis{std::string(kSignedForce), "kN", forces.from * per_si::kilonewton, forces.to * per_si::kilonewton};
-  panel.y = Axis{"Share", "%", 0.0, 1.08 * top * per_si::percent};
+  panel.x = Axis{std::string(kSignedForce), "kN", forces.from * "kN"_per_si, forces.to * "kN"_per_si};
+  panel.y = Axis{"Share", "%", 0.0, 1.08 * top * "%"_per_si};
   return panel;
 }
 
@@ -371,8 +370,8 @@ Figures rainflow(const LifeResult& r) {
   const CycleMatrix& m = r.cycles->matrix;
   if (!(m.range_to > 0.0 && m.mean_to > m.mean_from)) return {};
   Figure figure{"rainflow", fmt::format("Load cycles, rainflow: {:.0f}", count(r.cycles->cycles))};
-  figure.x = {"Mean, tension >\u00a00", "kN", m.mean_from * per_si::kilonewton, m.mean_to * per_si::kilonewton};
-  figure.y = {"Range", "kN", 0.0, m.range_to * per_si::kilonewton};
+  figure.x = {"Mean, tension >\u00a00", "kN", m.mean_from * "kN"_per_si, m.mean_to * "kN"_per_si};
+  figure.y = {"Range", "kN", 0.0, m.range_to * "kN"_per_si};
   Panel panel;
   panel.map.cells = true;
   GridData& grid = panel.map.grid;
@@ -381,8 +380,8 @@ Figures rainflow(const LifeResult& r) {
   Range cycles;
   for (std::size_t k = 0; k < bins; ++k) {
     const double middle = static_cast<double>(k) + 0.5;
-    grid.x.push_back((m.mean_from + middle * m.mean_width()) * per_si::kilonewton);
-    grid.y.push_back(middle * m.range_width() * per_si::kilonewton);
+    grid.x.push_back((m.mean_from + middle * m.mean_width()) * "kN"_per_si);
+    grid.y.push_back(middle * m.range_width() * "kN"_per_si);
     for (std::size_t i = 0; i < bins; ++i)
       if (const double n = m.at(static_cast<int>(i), static_cast<int>(k)); n > 0.0) {
         grid.values[k * bins + i] = n;

@@ -14,7 +14,7 @@ enum CurveStyle : std::size_t { kWithout, kWith, kTensionSide, kCompressionSide,
 Series curve_of(std::size_t style, const PreloadCurve& curve, const auto& value) {
   Series line{style};
   for (const PreloadPoint& point : curve.points)
-    line.add(point.axial_force * per_si::kilonewton,
+    line.add(point.axial_force * "kN"_per_si,
              point.solve.converged() ? std::optional<double>(value(point)) : std::nullopt);
   return line;
 }
@@ -32,15 +32,14 @@ Panel curve_panel(const PreloadResult& r, std::string title, Axis axis, const au
 Panel side_panel(const PreloadResult& r) {
   Panel panel{"Load of each side"};
   for (const Direction d : kDirections)
-    panel.series.push_back(
-        curve_of(d == Direction::tension ? kTensionSide : kCompressionSide, r.curve,
-                 [d](const PreloadPoint& p) { return p.sides[d].axial_load.screw * per_si::kilonewton; }));
+    panel.series.push_back(curve_of(d == Direction::tension ? kTensionSide : kCompressionSide, r.curve,
+                                    [d](const PreloadPoint& p) { return p.sides[d].axial_load.screw * "kN"_per_si; }));
   panel.y = fitted({"Axial load", "kN"}, range_of_y(panel.series));
   for (const Direction d : kDirections) {
     if (!r.opening_force[d]) continue;
     const double load = sense(d) * -*r.opening_force[d];
     if (load >= r.preload.load.from && load <= r.preload.load.to)
-      panel.series.push_back({kOpening, {{{load * per_si::kilonewton, 0.0}}}});
+      panel.series.push_back({kOpening, {{{load * "kN"_per_si, 0.0}}}});
   }
   return panel;
 }
@@ -49,8 +48,7 @@ Panel side_panel(const PreloadResult& r) {
 Figures preload_curves(const PreloadResult& r) {
   if (!r.at_rest.solve.converged()) return {};
   Figure figure{"preload", r.preload.backlash ? "Axial play" : "Preload"};
-  figure.x = {std::string(kSignedForce), "kN", r.preload.load.from * per_si::kilonewton,
-              r.preload.load.to * per_si::kilonewton};
+  figure.x = {std::string(kSignedForce), "kN", r.preload.load.from * "kN"_per_si, r.preload.load.to * "kN"_per_si};
   figure.columns = 3;
   figure.aspect = 1.1;
   figure.add(line_of(Colour::grey, Dash::dashed));
@@ -61,16 +59,15 @@ Figures preload_curves(const PreloadResult& r) {
   figure.add(single ? "compression flanks" : "first nut", line_of(Colour::orange, Dash::dashed));
   if (r.opening_force.tension || r.opening_force.compression)
     figure.add("a side opens", points_of(Colour::ink, Mark::circle));
-  figure.panels = {curve_panel(r, "Displacement", {"Displacement", "µm"},
-                               [](const PreloadPoint& p) -> std::optional<double> {
-                                 return p.axial_displacement * per_si::micrometre;
-                               }),
-                   curve_panel(r, "Stiffness", {"Tangent stiffness", "N/µm"},
-                               [](const PreloadPoint& p) -> std::optional<double> {
-                                 if (!p.tangent_stiffness) return std::nullopt;
-                                 return *p.tangent_stiffness * per_si::newton_per_micrometre;
-                               }),
-                   side_panel(r)};
+  figure.panels = {
+      curve_panel(r, "Displacement", {"Displacement", "µm"},
+                  [](const PreloadPoint& p) -> std::optional<double> { return p.axial_displacement * "µm"_per_si; }),
+      curve_panel(r, "Stiffness", {"Tangent stiffness", "N/µm"},
+                  [](const PreloadPoint& p) -> std::optional<double> {
+                    if (!p.tangent_stiffness) return std::nullopt;
+                    return *p.tangent_stiffness * "N/µm"_per_si;
+                  }),
+      side_panel(r)};
   return {std::move(figure)};
 }
 
@@ -168,8 +165,8 @@ namespace {
 void curve_fields(CsvWriter& csv, const PreloadPoint* point) {
   const bool solved = point && point->solve.converged();
   csv.fields(point ? fe::name(point->solve.status) : "",
-             solved ? std::optional(point->axial_displacement * per_si::micrometre) : std::nullopt,
-             solved ? scaled(point->tangent_stiffness, per_si::newton_per_micrometre) : std::nullopt);
+             solved ? std::optional(point->axial_displacement * "µm"_per_si) : std::nullopt,
+             solved ? scaled(point->tangent_stiffness, "N/µm"_per_si) : std::nullopt);
 }
 
 }  // namespace

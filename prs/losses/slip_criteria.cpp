@@ -159,8 +159,8 @@ std::vector<FoundCriterion> motor_criteria(const Case& c, const MotorDuty& duty,
   double largest = 0.0;
   for (const MotorDuty::Step& step : duty.cycle) largest = std::max(largest, step.largest_speed());
   speed.applies = largest > 0.0;
-  if (speed.applies) speed.take(per_speed * largest * per_si::revolution_per_minute, "");
-  if (duty.motor.largest_speed) speed.limit = *duty.motor.largest_speed * per_si::revolution_per_minute;
+  if (speed.applies) speed.take(per_speed * largest * "rpm"_per_si, "");
+  if (duty.motor.largest_speed) speed.limit = *duty.motor.largest_speed * "rpm"_per_si;
   brake.applies = duty.holding_force > 0.0;
   if (brake.applies) brake.take(duty.holding_force / per_speed, "");
   brake.limit = duty.brake_torque;

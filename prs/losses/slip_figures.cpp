@@ -44,7 +44,7 @@ Figures friction(const Result& result, const FigureOptions& options) {
     double factor;
   };
   constexpr Shown kShown[] = {{"Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0},
-                              {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, per_si::millimetre}};
+                              {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, "mm"_per_si}};
   for (std::size_t k = 0; k < std::size(kInterfaces); ++k) figure.add(interface_title(kInterfaces[k]), marked_line(k));
   for (const Shown& s : kShown) {
     Panel& panel = figure.panels.emplace_back(Panel{s.title});
@@ -91,7 +91,7 @@ Map friction_map(const PatchField& field) {
   const auto middles = [&](double semi_axis) {
     std::vector<double> at;
     for (std::size_t k = 0; k < count; ++k)
-      at.push_back(semi_axis * (2.0 * static_cast<double>(k) + 1.0 - field.points) / field.points * per_si::millimetre);
+      at.push_back(semi_axis * (2.0 * static_cast<double>(k) + 1.0 - field.points) / field.points * "mm"_per_si);
     return at;
   };
   map.grid = {middles(field.semi_major), middles(field.semi_minor), std::vector<double>(count * count, kFree)};
@@ -127,13 +127,13 @@ Series arrows(const PatchField& field) {
   const double largest = largest_speed(field);
   if (!(largest > 0.0)) return line;
   const double spacing = 2.0 * field.semi_minor / field.points * arrow_step(field);
-  const double scale = 0.5 * spacing / largest * per_si::millimetre;
+  const double scale = 0.5 * spacing / largest * "mm"_per_si;
   for (std::size_t k = 0; k < field.sliding_major.size(); ++k) {
     if (!has_arrow(field.along_major[k], field.semi_major, field) ||
         !has_arrow(field.along_minor[k], field.semi_minor, field))
       continue;
-    const double x = field.along_major[k] * per_si::millimetre;
-    const double y = field.along_minor[k] * per_si::millimetre;
+    const double x = field.along_major[k] * "mm"_per_si;
+    const double y = field.along_minor[k] * "mm"_per_si;
     const double dx = scale * field.sliding_major[k], dy = scale * field.sliding_minor[k];
     line.parts.push_back({{x - dx, y - dy}, {x + dx, y + dy}});
   }
@@ -154,12 +154,10 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
                   std::optional<std::size_t> thread) {
   Panel panel{thread_title(result, i, thread)};
   panel.map = friction_map(field);
-  panel.series = {
-      {kOutline,
-       {ellipse(0.0, 0.0, field.semi_major * per_si::millimetre, field.semi_minor * per_si::millimetre, 0.0)}},
-      arrows(field)};
+  panel.series = {{kOutline, {ellipse(0.0, 0.0, field.semi_major * "mm"_per_si, field.semi_minor * "mm"_per_si, 0.0)}},
+                  arrows(field)};
   panel.labels.push_back(
-      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * per_si::millimetre), 0.03, 0.05, true});
+      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * "mm"_per_si), 0.03, 0.05, true});
   return panel;
 }
 
@@ -188,7 +186,7 @@ Figure patch_figure(std::string name, const LoadCaseResult& result, const PerInt
   double half = 0.0;
   for (const Interface i : kInterfaces) {
     figure.panels.push_back(patch_panel(result, fields[i], i, thread));
-    half = std::max(half, 1.2 * fields[i].semi_major * per_si::millimetre);
+    half = std::max(half, 1.2 * fields[i].semi_major * "mm"_per_si);
   }
   figure.x = {"along the major axis", "mm", -half, half};
   figure.y = {"along the minor axis", "mm", -half, half};
@@ -236,7 +234,7 @@ SlipAxis around_ideal(const ResidueCurve& residue, double ideal) {
 Polyline curve(const ResidueCurve& residue, const MomentCurve& of, const SlipAxis& axis) {
   Polyline points;
   for (std::size_t k = 0; k < residue.slip_ratio.size(); ++k)
-    points.push_back({axis(residue.slip_ratio[k]), of.value(residue.moments[k]) * per_si::newton_millimetre});
+    points.push_back({axis(residue.slip_ratio[k]), of.value(residue.moments[k]) * "N mm"_per_si});
   return points;
 }
 
@@ -419,7 +417,7 @@ Polyline total_line(const std::vector<SweepPoint>& run, double factor) {
 Polyline efficiency_line(const std::vector<SweepPoint>& run) {
   Polyline line;
   for (const SweepPoint& p : run)
-    if (p.slip->efficiency) line.push_back({p.x, *p.slip->efficiency * per_si::percent});
+    if (p.slip->efficiency) line.push_back({p.x, *p.slip->efficiency * "%"_per_si});
   return line;
 }
 
@@ -437,15 +435,14 @@ void add_references(Figure& figure, const PowerFigureOptions& options, double fa
     const std::size_t style =
         figure.add(point.title, points_of(palette(1 + k), static_cast<Mark>(1 + k % 8), Weight::strong));
     if (point.power_loss) figure.panels[0].series.push_back({style, {{{point.x, *point.power_loss * factor}}}});
-    if (point.efficiency)
-      figure.panels[1].series.push_back({style, {{{point.x, *point.efficiency * per_si::percent}}}});
+    if (point.efficiency) figure.panels[1].series.push_back({style, {{{point.x, *point.efficiency * "%"_per_si}}}});
   }
 }
 
 void add_comparison(Figure& figure, const PowerFigureOptions& options) {
   if (options.comparison.empty()) return;
   Polyline line;
-  for (const auto& [x, efficiency] : options.comparison) line.push_back({x, efficiency * per_si::percent});
+  for (const auto& [x, efficiency] : options.comparison) line.push_back({x, efficiency * "%"_per_si});
   const std::size_t style = figure.add(options.comparison_title, line_of(Colour::reference, Dash::dashed));
   figure.panels[1].series.push_back({style, {std::move(line)}});
 }
@@ -489,7 +486,7 @@ Figure power_bars(std::vector<const LoadCaseResult*> cases) {
 Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis, const std::vector<SlipResult>& results,
                               const PowerFigureOptions& options) {
   const auto runs = unbroken(sweep(x, results));
-  const double factor = options.relative_to ? per_si::percent / *options.relative_to : 1.0;
+  const double factor = options.relative_to ? "%"_per_si / *options.relative_to : 1.0;
   Figure figure{options.name, options.title};
   figure.columns = 2;
   figure.panels.resize(2);
@@ -533,7 +530,7 @@ Figures power_by_source(const Result& result, const FigureOptions& options) {
       std::vector<double> force;
       std::vector<SlipResult> slips;
       for (const LoadCaseResult* load_case : group.cases) {
-        force.push_back(load_case->load_case.axial_force * per_si::kilonewton);
+        force.push_back(load_case->load_case.axial_force * "kN"_per_si);
         slips.push_back(*load_case->slip);
       }
       PowerFigureOptions shown;
@@ -551,7 +548,7 @@ namespace {
 template <class Value>
 Series over_speed(std::size_t style, const StribeckCurve& curve, const std::vector<Value>& values) {
   Series line{style};
-  for (std::size_t k = 0; k < values.size(); ++k) line.add(curve.speed[k] * per_si::revolution_per_minute, values[k]);
+  for (std::size_t k = 0; k < values.size(); ++k) line.add(curve.speed[k] * "rpm"_per_si, values[k]);
   return line;
 }
 
@@ -580,7 +577,7 @@ Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve)
   Panel& efficiency = figure.panels.emplace_back(Panel{"Efficiency"});
   std::vector<std::optional<double>> percent = curve.efficiency;
   for (std::optional<double>& value : percent)
-    if (value) *value *= per_si::percent;
+    if (value) *value *= "%"_per_si;
   efficiency.series.push_back(over_speed(whole, curve, percent));
   efficiency.y = fitted({"Efficiency", "%"}, range_of_y(efficiency.series));
 
@@ -596,7 +593,7 @@ Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve)
     film.references = {{bounds, kTouchingFlanks}, {bounds, kFullFilm}};
   }
   for (Panel& panel : figure.panels)
-    panel.references.push_back({speed, std::abs(result.slip->speed) * per_si::revolution_per_minute, true});
+    panel.references.push_back({speed, std::abs(result.slip->speed) * "rpm"_per_si, true});
   figure.x = decades("Speed", "rpm");
   return figure;
 }

@@ -54,7 +54,7 @@ std::string title_line(const LoadCaseResult& result) {
     load += ", equal shares";
   else
     load += fmt::format(", {} loads", name(result.loads));
-  if (has_slip(result)) load += fmt::format(", {:.6g} rpm", result.slip->speed * per_si::revolution_per_minute);
+  if (has_slip(result)) load += fmt::format(", {:.6g} rpm", result.slip->speed * "rpm"_per_si);
   constexpr std::size_t kSeparator = 2;
   const std::size_t room = kTableWidth - kSeparator - width(load);
   return fmt::format("{}: {}\n", shortened(case_name_cell(result), room), load);
@@ -65,7 +65,7 @@ std::string slip_ratio_lines(const SlipResult& slip) {
       slip.status == SlipStatus::imposed
           ? fmt::format("imposed; moment left on a roller {} {}", four_digits(shown(slip.moments.residue(), "N mm")),
                         table_unit("N mm").text)
-          : fmt::format("optimality {:.4g} % (pure sliding 0, ideal 100)", slip.optimality * per_si::percent);
+          : fmt::format("optimality {:.4g} % (pure sliding 0, ideal 100)", slip.optimality * "%"_per_si);
   return block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
          block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
          block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
@@ -75,9 +75,8 @@ std::string efficiency_lines(const SlipResult& slip, bool all) {
   const bool by_screw = slip.driven_by == DrivenBy::screw;
   std::string remark = slip.efficiency ? "the load drives" : "the load helps, self-locking";
   if (by_screw)
-    remark =
-        all && slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * per_si::percent) : "";
-  return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), remark) +
+    remark = all && slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * "%"_per_si) : "";
+  return block_line("efficiency, %", fixed(slip.efficiency, "%"_per_si, 2), remark) +
          (by_screw ? ""
                    : number_line("holding torque", *slip.holding_torque, "N m",
                                  slip.efficiency ? "holds back the load" : "releases the screw")) +
@@ -94,7 +93,7 @@ std::string power_lines(const SlipResult& slip) {
     const double power = slip.power.*source.value;
     if (power == 0.0) continue;
     lines += block_line(fmt::format("  {}", source.title), fixed(power, 1.0, decimals),
-                        fmt::format("{:6.2f} %", power / total * per_si::percent));
+                        fmt::format("{:6.2f} %", power / total * "%"_per_si));
   }
   return lines;
 }
@@ -183,7 +182,7 @@ std::string cycle_block(const HeatCycle& cycle) {
   return title + block_line("temperature", "screw", beside({"rollers", "nut"})) + parts_line("peak", cycle.peak) +
          parts_line("mean", cycle.mean) + number_line("energy in", cycle.energy_in, "J") +
          number_line("energy lost", cycle.energy_lost, "J") +
-         block_line("efficiency, %", fixed(cycle.efficiency, per_si::percent, 2));
+         block_line("efficiency, %", fixed(cycle.efficiency, "%"_per_si, 2));
 }
 
 std::string hottest_line(const SlipResult& slip) {
@@ -213,7 +212,7 @@ std::string change_line(std::string_view label, const std::string& equal, const 
 std::string ratio_line(std::string_view label, double equal, double solved, std::string_view unit) {
   return change_line(fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
                      four_digits(shown(solved, unit)),
-                     equal > 0.0 ? fixed_change((solved / equal - 1.0) * per_si::percent, 2) + " %" : "");
+                     equal > 0.0 ? fixed_change((solved / equal - 1.0) * "%"_per_si, 2) + " %" : "");
 }
 
 std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
@@ -228,8 +227,7 @@ std::string equal_share_lines(const SlipResult& slip) {
                       difference_line("  slip ratio", equal.slip_ratio, slip.slip_ratio, 6) +
                       ratio_line("  power lost", equal.power_loss, slip.power.total(), "W");
   if (equal.efficiency && slip.efficiency)
-    lines +=
-        difference_line("  efficiency, %", *equal.efficiency * per_si::percent, *slip.efficiency * per_si::percent, 2);
+    lines += difference_line("  efficiency, %", *equal.efficiency * "%"_per_si, *slip.efficiency * "%"_per_si, 2);
   return lines +
          ratio_line("  most at a thread", std::max(equal.thread_power.screw, equal.thread_power.nut),
                     largest(slip, &InterfaceSlip::power), "W") +
@@ -263,7 +261,7 @@ template <double PowerBySource::*source>
 std::string share(const LoadCaseResult& result) {
   const PowerBySource& power = result.slip->power;
   if (!(power.total() > 0.0)) return std::string(kAbsent);
-  return fixed(power.*source / power.total(), per_si::percent, 2);
+  return fixed(power.*source / power.total(), "%"_per_si, 2);
 }
 
 std::string hottest_cell(const LoadCaseResult& result) {
@@ -278,9 +276,9 @@ constexpr CaseColumn kColumns[] = {
     {"force", "kN", false, force_cell},
     {"", "direction", true, direction_cell},
     {"speed", "rpm", false,
-     [](const LoadCaseResult& r) { return fmt::format("{:.5g}", r.slip->speed * per_si::revolution_per_minute); }},
+     [](const LoadCaseResult& r) { return fmt::format("{:.5g}", r.slip->speed * "rpm"_per_si); }},
     {"slip", "ratio", false, [](const LoadCaseResult& r) { return fixed(r.slip->slip_ratio, 1.0, 6); }},
-    {"effic.", "%", false, [](const LoadCaseResult& r) { return fixed(r.slip->efficiency, per_si::percent, 2); }},
+    {"effic.", "%", false, [](const LoadCaseResult& r) { return fixed(r.slip->efficiency, "%"_per_si, 2); }},
     {"torque", "N m", false, [](const LoadCaseResult& r) { return fixed(r.slip->torque_screw, "N m", 3); }},
     {"lost", "W", false, [](const LoadCaseResult& r) { return fixed(r.slip->power.total(), 1.0, 2); }},
     {"screw", "%", false, share<&PowerBySource::screw>},

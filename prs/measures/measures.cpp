@@ -350,12 +350,12 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& 
         add(running_pressure_warning(path, i, *load_measures.largest_peak_pressure[i], contacts));
   if (load_measures.thread_stiffness && result.axial_stiffness &&
       *load_measures.thread_stiffness < *result.axial_stiffness)
-    warnings.push_back(Warning{"measures.loaded_width", "soft_threads",
-                               "the threads alone ({value}) come out softer than the whole screw of the model "
-                               "({limit}), which has no such teeth: Yamamoto's count twice what Hertz has",
-                               "leave out measures.loaded_width"}
-                           .with(*load_measures.thread_stiffness, *result.axial_stiffness,
-                                 text_unit::newton_per_micrometre, Warning::Worse::smaller));
+    warnings.push_back(
+        Warning{"measures.loaded_width", "soft_threads",
+                "the threads alone ({value}) come out softer than the whole screw of the model "
+                "({limit}), which has no such teeth: Yamamoto's count twice what Hertz has",
+                "leave out measures.loaded_width"}
+            .with(*load_measures.thread_stiffness, *result.axial_stiffness, "N/µm"_unit, Warning::Worse::smaller));
   return warnings;
 }
 

@@ -92,7 +92,7 @@ std::string axis_rows(std::span<const std::optional<LoadMeasures>> owners) {
       auto& cells = row == rows.end()
                         ? rows.emplace_back(key, std::vector<std::string>(owners.size(), std::string(kAbsent))).second
                         : row->second;
-      cells[k] = significant(part.share * per_si::percent);
+      cells[k] = significant(part.share * "%"_per_si);
     }
   }
   if (rows.empty()) return {};
@@ -201,7 +201,7 @@ std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
       for (const auto& [key, part] : parts_of_axis(*measures.system_stiffness)) {
         const std::string path = fmt::format("system_stiffness.contributions.{}", key);
         csv.row(name, path + ".stiffness_N_per_um", "N/µm", shown(part.stiffness, "N/µm"));
-        csv.row(name, path + ".percent", "%", part.share * per_si::percent);
+        csv.row(name, path + ".percent", "%", part.share * "%"_per_si);
       }
     }
   return csv.take();
@@ -217,8 +217,8 @@ std::string yang_csv(const MeasuresResult& result, const CsvStyle& style) {
     const std::vector<double>& yang = result.load_measures[k]->yang_load_rate;
     for (std::size_t thread = 0; thread < yang.size(); ++thread) {
       load_fields(csv, solved.load_case);
-      csv.row(thread + 1, yang[thread] * per_si::percent, solved.threads->screw.load_rate[thread] * per_si::percent,
-              solved.threads->nut.load_rate[thread] * per_si::percent);
+      csv.row(thread + 1, yang[thread] * "%"_per_si, solved.threads->screw.load_rate[thread] * "%"_per_si,
+              solved.threads->nut.load_rate[thread] * "%"_per_si);
     }
   }
   return csv.take();
@@ -277,9 +277,9 @@ Figures yang(const MeasuresResult& result) {
     if (rate.empty() || figure.panels.size() == kMostYangPanels) continue;
     threads = std::max(threads, rate.size());
     Panel& panel = figure.panels.emplace_back(Panel{shown_name(load_case.load_case.name)});
-    panel.series = {{0, {over_threads(load_case.threads->screw.load_rate, per_si::percent)}},
-                    {1, {over_threads(load_case.threads->nut.load_rate, per_si::percent)}},
-                    {2, {over_threads(rate, per_si::percent)}}};
+    panel.series = {{0, {over_threads(load_case.threads->screw.load_rate, "%"_per_si)}},
+                    {1, {over_threads(load_case.threads->nut.load_rate, "%"_per_si)}},
+                    {2, {over_threads(rate, "%"_per_si)}}};
   }
   if (figure.panels.empty()) return {};
   figure.add("model, roller-screw", marked_line(0));
@@ -287,7 +287,7 @@ Figures yang(const MeasuresResult& result) {
   figure.add("Yang", marked_line(2));
   figure.x = thread_axis(threads);
   figure.columns = figure.panels.size() == 1 ? 1 : 2;
-  add_mean(figure, per_si::percent / static_cast<double>(threads));
+  add_mean(figure, "%"_per_si / static_cast<double>(threads));
   fit_y_range(figure, true);
   return {std::move(figure)};
 }
@@ -315,7 +315,7 @@ Figures stiffness_terms(const MeasuresResult& result) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const LoadCase& load_case = result.analysis.load_cases[cases[c]].load_case;
     Series bars{
-        figure.add(fmt::format("{}, {:.4g} kN", shown_name(load_case.name), load_case.axial_force * per_si::kilonewton),
+        figure.add(fmt::format("{}, {:.4g} kN", shown_name(load_case.name), load_case.axial_force * "kN"_per_si),
                    area_of(case_colour(c)))};
     for (std::size_t i = 0; i < contacts; ++i)
       bar(bars, rank_position(i, count) + 0.4 - (static_cast<double>(c) + 0.5) * thick, 0.46 * thick,

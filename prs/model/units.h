@@ -93,43 +93,11 @@ constexpr const ShownUnit& unit_written(std::string_view text) {
   return kNoUnit;
 }
 
-/// Units of sentences; a name that the table lacks does not compile.
-namespace text_unit {
-consteval ShownUnit known(std::string_view text) {
-  const ShownUnit& unit = unit_written(text);
+/// Unit with this text, `"kN"_unit`, and its factor from SI, `"kN"_per_si`; an unknown one does not compile.
+consteval ShownUnit operator""_unit(const char* text, std::size_t size) {
+  const ShownUnit& unit = unit_written({text, size});
   return unit.text.empty() ? throw std::invalid_argument("no such unit") : unit;
 }
-inline constexpr ShownUnit gigapascal = known("GPa");
-inline constexpr ShownUnit newton = known("N");
-inline constexpr ShownUnit kilonewton = known("kN");
-inline constexpr ShownUnit newton_metre = known("N m");
-inline constexpr ShownUnit millimetre = known("mm");
-inline constexpr ShownUnit micrometre = known("µm");
-inline constexpr ShownUnit degree = known("deg");
-inline constexpr ShownUnit percent = known("%");
-inline constexpr ShownUnit newton_per_micrometre = known("N/µm");
-inline constexpr ShownUnit watt_per_kelvin = known("W/K");
-inline constexpr ShownUnit metre_per_second = known("m/s");
-inline constexpr ShownUnit kelvin = known("K");
-/// Speed times diameter [m rad/s], which makers state as n d.
-inline constexpr ShownUnit millimetre_per_minute{"", "mm/min", known("mm").factor* known("rpm").factor};
-}  // namespace text_unit
+consteval double operator""_per_si(const char* text, std::size_t size) { return operator""_unit(text, size).factor; }
 
-/// Factors from SI to the units shown: shown = SI * factor.
-namespace per_si {
-inline constexpr double kilonewton = text_unit::known("kN").factor;
-inline constexpr double newton_millimetre = text_unit::known("N mm").factor;
-inline constexpr double kilometre = text_unit::known("km").factor;
-inline constexpr double millimetre = text_unit::known("mm").factor;
-inline constexpr double micrometre = text_unit::known("µm").factor;
-inline constexpr double nanometre = text_unit::known("nm").factor;
-inline constexpr double square_millimetre = 1e6;
-inline constexpr double megapascal = text_unit::known("MPa").factor;
-inline constexpr double gigapascal = text_unit::known("GPa").factor;
-inline constexpr double percent = text_unit::known("%").factor;
-inline constexpr double degree = text_unit::known("deg").factor;
-inline constexpr double revolution_per_minute = text_unit::known("rpm").factor;
-inline constexpr double newton_per_micrometre = text_unit::known("N/µm").factor;
-
-}  // namespace per_si
 }  // namespace prs

@@ -43,7 +43,7 @@ std::vector<Warning> selected(std::span<const Warning> warnings, bool assumption
   std::vector<Warning> found;
   std::ranges::copy_if(warnings, std::back_inserter(found),
                        [&](const Warning& w) { return w.is_assumption == assumptions; });
-  const auto effect = [](const Warning& w) { return w.unit == text_unit::percent ? w.value.value_or(0.0) : 0.0; };
+  const auto effect = [](const Warning& w) { return w.unit == "%"_unit ? w.value.value_or(0.0) : 0.0; };
   if (assumptions) std::ranges::stable_sort(found, std::greater{}, effect);
   return found;
 }

@@ -6,13 +6,6 @@
 
 namespace prs {
 
-/// Space that `write_short` needs for one number; the bytes after its end may be overwritten.
-inline constexpr int kShortNumberSize = 32;
-
-/// Writes a finite number with at most `digits` significant digits, 1 to 17, identical to fmt's `{:.Ng}`, and returns
-/// the end. Nearly all numbers, those whose digits are not close to a tie, take one product and one integer conversion.
-char* write_short(char* at, double value, int digits);
-
 /// Style of CSV files; JSON and journals always have all digits.
 struct CsvStyle {
   static constexpr int kAllDigits = 17;
@@ -57,18 +50,10 @@ class CsvWriter {
     end_row();
   }
 
-  void reserve(std::size_t characters) { room(characters); }
-  std::string take() {
-    csv_.resize(size_);
-    return std::move(csv_);
-  }
+  void reserve(std::size_t characters) { csv_.reserve(csv_.size() + characters); }
+  std::string take() { return std::move(csv_); }
 
  private:
-  /// Address for the next characters, with space for this many.
-  char* room(std::size_t characters) {
-    if (csv_.size() - size_ < characters) csv_.resize(size_ + std::max(size_, characters));
-    return csv_.data() + size_;
-  }
   template <class T>
   void field(const T& value) {
     if constexpr (std::is_same_v<T, bool>)
@@ -84,20 +69,17 @@ class CsvWriter {
     else
       for (const auto& element : value) field(element);
   }
-  void put(std::string_view text);
   void separate() {
-    if (!row_is_empty_) {
-      *room(1) = style_.separator();
-      ++size_;
-    }
+    if (!row_is_empty_) csv_ += style_.separator();
     row_is_empty_ = false;
   }
-  /// Accepts a number that was written at the address from `room`.
-  void take_number(const char* end);
+  /// Sets the decimal mark in a number that was written from `first` on.
+  void set_mark(std::size_t first) {
+    std::replace(csv_.begin() + static_cast<std::ptrdiff_t>(first), csv_.end(), '.', style_.decimal_mark());
+  }
 
   CsvStyle style_;
-  std::string csv_;  ///< Buffer of which `size_` characters are written.
-  std::size_t size_ = 0;
+  std::string csv_;
   bool row_is_empty_ = true;
 };
 

@@ -137,7 +137,7 @@ std::string head_html(const Findings& all) {
   const Contacts& contacts = all.checked().geometry.contacts;
   const auto length = [](double si) {
     const ReportUnit unit = report_unit("", "mm");
-    return fmt::format("{} {}", report_number(unit.factor * si * per_si::millimetre, unit.text), unit.text);
+    return fmt::format("{} {}", report_number(unit.factor * si * "mm"_per_si, unit.text), unit.text);
   };
   const auto diameter = [&](Part part) { return length(2.0 * thread_of(contacts.threads, part).pitch_radius); };
   const int starts = contacts.mechanism.starts.screw;
@@ -200,7 +200,7 @@ std::string comparison_html(const ModelComparison& comparison) {
           share = std::fmax(share, std::ranges::max((*r.threads)[i].load_rate));
       rows.push_back({html(r.load_case.name), html(m.model_name()), number("axial_stiffness_N_per_um"),
                       number("axial_displacement_um"),
-                      std::isfinite(share) ? report_number(share * per_si::percent, "%") : "–",
+                      std::isfinite(share) ? report_number(share * "%"_per_si, "%") : "–",
                       number("largest_peak_pressure_MPa")});
     }
   return plain_table(head, rows, true);

@@ -275,7 +275,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
                              "raises the largest load of a thread by {{value}}{}",
                              1e6 * kOff, life),
                  "state the errors of your grade"}
-      .with(std::max(ahead, behind) / perfect - 1.0, {}, text_unit::percent)
+      .with(std::max(ahead, behind) / perfect - 1.0, {}, "%"_unit)
       .as_assumption();
 }
 

@@ -10,7 +10,7 @@
 namespace prs {
 namespace {
 
-constexpr double kTouching = 1e-9 * per_si::millimetre;  ///< Play of threads that touch [mm].
+constexpr double kTouching = 1e-9 * "mm"_per_si;  ///< Play of threads that touch [mm].
 
 /// Threads that overlap before any load; none where they have no contact.
 std::optional<FoundCriterion> axial_play(const Contacts& contacts) {
@@ -20,10 +20,10 @@ std::optional<FoundCriterion> axial_play(const Contacts& contacts) {
     const contact::Thread& body = thread_of(contacts.threads, body_of(i));
     const std::string at = fmt::format("roller-{}", name(i));
     if (contact.geometry.point.ok() && contact::same_pitch(body, contacts.threads.roller))
-      found.take(contact.geometry.point.backlash * per_si::millimetre, "", at);
+      found.take(contact.geometry.point.backlash * "mm"_per_si, "", at);
     if (!contact.clearance) continue;
     for (const auto& crest : {contact.clearance->body_crest, contact.clearance->roller_crest})
-      if (crest) found.take(2.0 * *crest * per_si::millimetre, "", at + ", at a crest");
+      if (crest) found.take(2.0 * *crest * "mm"_per_si, "", at + ", at a crest");
   }
   if (!found.value) return std::nullopt;
   found.best.reset();  // At another place.
@@ -49,8 +49,7 @@ std::optional<FoundCriterion> few_contacts(const Mechanism& mechanism) {
 void take_nut(const Case& c, double Structure::Nut::*size, FoundCriterion& found) {
   found.why = "add structure";
   if (c.structure)
-    found.take(c.structure->nut.*size * per_si::millimetre, "",
-               c.structure->nut.flanges.empty() ? "" : "without flanges");
+    found.take(c.structure->nut.*size * "mm"_per_si, "", c.structure->nut.flanges.empty() ? "" : "without flanges");
 }
 
 /// A value that follows from the worst of another quantity.
@@ -67,11 +66,11 @@ std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contact
   FoundCriterion pressure("peak_pressure"), speed("largest_speed", "add operation.speed"),
       compression("largest_compression"), diameter("nut_diameter"), length("nut_length"),
       stroke("stroke", "add life.stroke");
-  pressure.physical = kStaticPressureLimit * per_si::megapascal;
+  pressure.physical = kStaticPressureLimit * "MPa"_per_si;
   if (const auto& m = c.materials) {
     pressure.physical.reset();
     for (const auto& limit : {static_pressure_limit(m->screw, m->roller), static_pressure_limit(m->nut, m->roller)})
-      if (limit) pressure.physical = std::min(*limit * per_si::megapascal, pressure.physical.value_or(HUGE_VAL));
+      if (limit) pressure.physical = std::min(*limit * "MPa"_per_si, pressure.physical.value_or(HUGE_VAL));
   }
   for (const LoadCase& load : c.load_cases) {
     if (load.speed) speed.take(std::abs(*load.speed), load.name);
@@ -166,7 +165,7 @@ FoundCriterion critical_speed_share(const Case& c, const MeasuresResult& measure
 
 FoundCriterion speed_times_diameter(const Case& c, const FoundCriterion& speed) {
   std::optional<double> value = speed.value;
-  if (value) *value = *value * per_si::revolution_per_minute * *c.mechanism.pitch_diameter.screw * per_si::millimetre;
+  if (value) *value = *value * "rpm"_per_si * *c.mechanism.pitch_diameter.screw * "mm"_per_si;
   return following("speed_times_diameter", speed, value);
 }
 

@@ -38,7 +38,7 @@ void hold_against_limit(Criterion& c, const CriterionRow& row, const std::option
 std::optional<double> stated(const CriterionRow& row, const Limits& l) {
   if (row.limit) return l.*row.limit ? std::optional(*(l.*row.limit) * row.factor - row.zero) : std::nullopt;
   if (row.name != "life" || !l.life) return {};
-  return l.life->travel ? *l.life->travel * per_si::kilometre : *l.life->duration / 3600.0;
+  return l.life->travel ? *l.life->travel * "km"_per_si : *l.life->duration / 3600.0;
 }
 
 Criterion judged(const FoundCriterion& found, const Limits& limits) {
@@ -268,7 +268,7 @@ std::string words(const Criterion& c) {
 }
 
 ShownCriterion shown(const Criterion& c) {
-  if (c.name == "efficiency" || c.name == "critical_speed_share") return {"%", per_si::percent};
+  if (c.name == "efficiency" || c.name == "critical_speed_share") return {"%", "%"_per_si};
   if (c.unit == "MPa") return {"GPa", 1e-3};
   return {c.unit == "N/um" ? "N/µm" : c.unit == "degC" ? "°C" : c.unit};
 }

@@ -375,28 +375,27 @@ class Evaluation {
                             "the mean load, {value}, is beyond half of C_a, {limit}: the formula of life is not made "
                             "for it",
                             "take a larger screw"}
-                        .with(*cycle_.mean_load, 0.5 * capacity(), text_unit::kilonewton));
+                        .with(*cycle_.mean_load, 0.5 * capacity(), "kN"_unit));
     if (cycle_.largest_force > kRegularLoad * capacity())
       all.push_back(Warning{"motion", "largest_force",
                             "the largest force, {value}, is beyond 0.9 C_a, {limit}, which a maker does not allow "
                             "regularly",
                             "take a larger screw"}
-                        .with(cycle_.largest_force, kRegularLoad * capacity(), text_unit::kilonewton));
+                        .with(cycle_.largest_force, kRegularLoad * capacity(), "kN"_unit));
     const Mechanism& mechanism = sized_.screw.c.mechanism;
     const bool standard = c_.screw.type == Mechanism::Type::standard;
     const double length = standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
     if (standard && r_.stroke && sized_.shaft_length < *r_.stroke + c_.nut_length)
-      all.push_back(
-          Warning{"shaft.length", "short_shaft", "the shaft, {value}, is shorter than stroke and nut together, {limit}",
-                  "lengthen it"}
-              .with(sized_.shaft_length, *r_.stroke + c_.nut_length, text_unit::millimetre, Warning::Worse::smaller));
+      all.push_back(Warning{"shaft.length", "short_shaft",
+                            "the shaft, {value}, is shorter than stroke and nut together, {limit}", "lengthen it"}
+                        .with(sized_.shaft_length, *r_.stroke + c_.nut_length, "mm"_unit, Warning::Worse::smaller));
     const std::optional<double> stroke = r_.motion.loads ? r_.stroke : std::optional(cycle_.loaded_way);
     if (stroke && *stroke > 0.0 && *stroke < kShortStroke * length)
       all.push_back(Warning{"stroke", "short_stroke",
                             fmt::format("the stroke under load, {{value}}, is below {{limit}}, 1.5 times the {}: life "
                                         "needs a special calculation, none is public",
                                         standard ? "nut's length" : "length of the rollers' threads")}
-                        .with(*stroke, kShortStroke * length, text_unit::millimetre, Warning::Worse::smaller));
+                        .with(*stroke, kShortStroke * length, "mm"_unit, Warning::Worse::smaller));
     if (c_.brake_needed && !r_.friction->facts().holds_at_rest())
       all.push_back({"friction", "film_at_rest",
                      fmt::format("at rest the film of `{}` is gone, so that the screw may still hold",
@@ -418,7 +417,7 @@ class Evaluation {
           Warning{"heat", "hot_part",
                   fmt::format("the hottest part has {:.0f} degC; grease and seals do not last beyond 120 degC",
                               *c_.hottest_part() - kKelvin)}
-              .with(*c_.hottest_part(), kGreaseEnds, text_unit::kelvin));
+              .with(*c_.hottest_part(), kGreaseEnds, "K"_unit));
     if (!r_.motion.loads && cycle_.duration > kLongCycle)
       all.push_back(Warning{
           "heat", "long_cycle",
@@ -432,7 +431,7 @@ class Evaluation {
                               fmt::format("losses are those at {:.0f} degC, and the oil at the {} has {:.0f} degC",
                                           *r_.lubricant->temperature - kKelvin, prs::name(i), oil[i] - kKelvin),
                               "state a temperature near that of the oil"}
-                          .with(off, kOilsMean, text_unit::kelvin));
+                          .with(off, kOilsMean, "K"_unit));
         return;
       }
   }

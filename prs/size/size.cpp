@@ -273,7 +273,7 @@ class CatalogueReader {
                 fmt::format("row {} of {} has a static capacity of {{value}}, below its dynamic one of {{limit}}",
                             first->number, name_),
                 "check the columns and their units"}
-            .with(*first->static_capacity, *first->dynamic_capacity, text_unit::kilonewton));
+            .with(*first->static_capacity, *first->dynamic_capacity, "kN"_unit));
   }
 
   /// Capacity from a number in kN, below the strength of any steel screw; a number in N would be a thousand times as
@@ -284,8 +284,8 @@ class CatalogueReader {
     const double most = kMostStress * disc_area(screw_diameter);
     if (force && *force > most)
       refuse(place_of(column),
-             fmt::format("at most {:.4g} kN, under which this screw's section has {:g} MPa", most * per_si::kilonewton,
-                         kMostStress * per_si::megapascal),
+             fmt::format("at most {:.4g} kN, under which this screw's section has {:g} MPa", most * "kN"_per_si,
+                         kMostStress * "MPa"_per_si),
              "write kN in place of N");
     return force;
   }
@@ -627,7 +627,7 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
     text += fmt::format("  - {{name: {}, axial_force: {}, direction: {}, position: {}, speed: {}}}\n",
                         nlohmann::json(load.name).dump(), format_quantity(load.axial_force, input::unit::force),
                         name(*load.direction), format_quantity(*load.position, input::unit::length),
-                        fmt::format("{:.12g} rpm", *load.speed * per_si::revolution_per_minute));
+                        fmt::format("{:.12g} rpm", *load.speed * "rpm"_per_si));
   const std::string law = text_of(value_of(*c.friction, input::ChoiceUnder{"model"}));
   text += "\n# Mean of the time in motion, and the largest.\n" +
           block_text("operation", value_of(*c.operation, Block{})) +

@@ -421,7 +421,7 @@ Figures curve(const SizeResult& r) {
                            all ? line_of(Colour::ink, Dash::solid, Weight::strong)
                                : line_of(palette(figure.styles.size()), in_cycle ? Dash::dotted : Dash::dashed))};
     for (std::size_t k = 0; k < forces.size(); ++k) {
-      const double kilonewtons = forces[k] * per_si::kilonewton;
+      const double kilonewtons = forces[k] * "kN"_per_si;
       line.add(1e3 * c.speed[k], std::isfinite(kilonewtons) ? std::optional(kilonewtons) : std::nullopt);
       if (all && c.speed[k] >= cycle.driving_speed()) range.include(1.2 * kilonewtons);
       if (!in_cycle) single = std::fmin(single, kilonewtons);
@@ -431,7 +431,7 @@ Figures curve(const SizeResult& r) {
   const auto points = [&](std::string title, const Style& style, auto belongs) {
     Series marks{figure.styles.size()};
     for (const SizeCurve::Required& point : c.required)
-      if (belongs(point)) marks.add(1e3 * point.speed, per_si::kilonewton * point.force);
+      if (belongs(point)) marks.add(1e3 * point.speed, "kN"_per_si * point.force);
     if (marks.parts.empty()) return;
     figure.add(std::move(title), style);
     panel.series.push_back(std::move(marks));
@@ -441,10 +441,10 @@ Figures curve(const SizeResult& r) {
   points("required, the load drives", points_of(Colour::muted, Mark::triangle), by_load);
   if (cycle.mean_load) {
     Series mean{figure.add("required, mean load", points_of(Colour::vermillion, Mark::diamond))};
-    mean.add(1e3 * cycle.driving_speed(), per_si::kilonewton * *cycle.mean_load);
+    mean.add(1e3 * cycle.driving_speed(), "kN"_per_si * *cycle.mean_load);
     panel.series.push_back(std::move(mean));
   }
-  const double largest = per_si::kilonewton * cycle.largest_force;
+  const double largest = "kN"_per_si * cycle.largest_force;
   // Lines far above would compress the others.
   range.include(std::max(1.2 * largest, std::min(1.1 * single, 3.0 * largest)));
   panel.y = fitted({"Axial force", "kN"}, {0.0, range.to}, true);
@@ -582,7 +582,7 @@ Cells drive_row(const SizeResult& r, const SizedCandidate& c) {
   Cells cells = first_cells(c);
   for (std::string text :
        {std::string(type_name(c.screw.type)), fmt::format("{}", c.starts), fixed(c.motor_rms_torque, "N m", 2),
-        fixed(c.motor_peak_torque, "N m", 2), fixed(c.motor_largest_speed, per_si::revolution_per_minute, 0),
+        fixed(c.motor_peak_torque, "N m", 2), fixed(c.motor_largest_speed, "rpm"_per_si, 0),
         fixed(c.motor_peak_power, 1e-3, 2),
         heat ? fmt::format("{:.0f}{}", *heat - kZeroCelsius, is_rough(r) ? "*" : "") : std::string(kAbsent),
         std::string(c.brake_needed ? "yes" : "no"), printable(c.list)})

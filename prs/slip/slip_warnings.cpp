@@ -49,7 +49,7 @@ void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
                                              "near",
                                              label(i)),
                                  "less speed or load, or an oil with less friction"}
-                             .with(hottest, kHotFlash, text_unit::kelvin));
+                             .with(hottest, kHotFlash, "K"_unit));
   }
 }
 
@@ -68,7 +68,7 @@ void warn_of_lifted_rollers(const LoadCaseResult& loaded, std::vector<Warning>& 
                                          "the axis",
                                          lifted, threads.screw.normal_load.size(), loaded.load_case.axial_force),
                              "take less speed, more load or a preload"}
-                         .with(centrifugal, {}, text_unit::newton));
+                         .with(centrifugal, {}, "N"_unit));
 }
 
 /// Warns if the formula of the central film does not know the way that an interface rolls.
@@ -87,7 +87,7 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
                                              label(i), off_major),
                                  "for the true direction take `film: {direction: rolling}`, another formula, "
                                  "whose films are about 20 % thinner at this contact"}
-                             .with(off_major / per_si::degree, {}, text_unit::degree, Warning::Worse::smaller)
+                             .with(off_major / "deg"_per_si, {}, "deg"_unit, Warning::Worse::smaller)
                              .as_assumption());
     const bool low = ratio < contact::kLeastRollingRatio;
     if (follows && (low || ratio > contact::kGreatestRollingRatio))
@@ -127,7 +127,7 @@ std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m
                              "of the stated temperature",
                              kWarmParts - 273.15, kSurroundings - 273.15, power),
                  "add `heat`"}
-      .with(needed, in_air, text_unit::watt_per_kelvin)
+      .with(needed, in_air, "W/K"_unit)
       .as_assumption();
 }
 
@@ -140,13 +140,13 @@ void warn_of_measured_parts(const Contacts& contacts, const SlipResult& slip, st
                                            "stops them",
                                            slip.migration_per_turn > 0.0 ? "ahead of" : "behind", name(geared)),
                                "the model ends where they meet their stops: correct the pitches"}
-                           .with(std::abs(slip.migration_per_turn), {}, text_unit::micrometre));
+                           .with(std::abs(slip.migration_per_turn), {}, "µm"_unit));
   if (has_gear_ratio(contacts)) return;
   warnings.push_back(Warning{"mechanism.pitch_diameter", "pitch_sliding",
                              fmt::format("off the ratio of the gears, the pitch cylinders of rollers and {} slide by "
                                          "{{value}} per turn of the screw",
                                          name(geared))}
-                         .with(slip.pitch_sliding_per_turn, {}, text_unit::micrometre));
+                         .with(slip.pitch_sliding_per_turn, {}, "µm"_unit));
 }
 
 /// Warns of how slip ended, and of what its numbers say by themselves.
@@ -165,7 +165,7 @@ void warn_of_result(const Conditions& c, LoadCaseResult& loaded) {
                                "the load helps, but the screw is self-locking: only a torque of "
                                "{value} in the sense of the motion turns it, and there is no "
                                "efficiency"}
-                           .with(*slip.holding_torque, {}, text_unit::newton_metre));
+                           .with(*slip.holding_torque, {}, "N m"_unit));
   if (slip.optimality > 1.0 + 1e-12) {
     const bool imposed = slip.status == SlipStatus::imposed;
     warnings.push_back(Warning{imposed ? "operation.slip_ratio" : "carrier",
@@ -183,7 +183,7 @@ void warn_of_result(const Conditions& c, LoadCaseResult& loaded) {
     warnings.push_back(Warning{speed, "no_sliding",
                                "nothing slides faster than {limit}, where friction has no "
                                "direction any more: the power lost is not that of a moving screw"}
-                           .with({}, contact::kNoDirection, text_unit::metre_per_second));
+                           .with({}, contact::kNoDirection, "m/s"_unit));
   warn_of_lubrication(slip, *c.friction, warnings);
 }
 
@@ -228,11 +228,10 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
           "friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} %{}, N = F/(cos psi - mu sin "
           "psi), whatever guides the rollers; the rest because friction presses them against their guides, {} "
           "{}; other guides give another rest",
-          name(i), change(i) * per_si::percent, (all - 1.0) * per_si::percent,
-          taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * per_si::percent) : "", kind,
-          loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
-                : "taken without play")}
-      .with(std::abs(change(i)), kMuch, text_unit::percent)
+          name(i), change(i) * "%"_per_si, (all - 1.0) * "%"_per_si,
+          taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * "%"_per_si) : "", kind,
+          loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * "µm"_per_si) : "taken without play")}
+      .with(std::abs(change(i)), kMuch, "%"_unit)
       .as_assumption();
 }
 

@@ -23,25 +23,7 @@ constexpr std::size_t kWord = sizeof(std::uint64_t);
 /// Length, first design, rows, responses; checksum.
 constexpr std::uint64_t kShortestRecord = 5 * kWord;
 
-#if defined(__x86_64__)
-/// CRC-32C by the processor's own instruction, eight bytes at a time, then one.
-__attribute__((target("sse4.2"))) std::uint32_t crc32c_of_processor(std::string_view bytes) {
-  std::uint64_t crc = 0xFFFF'FFFF;
-  for (; bytes.size() >= kWord; bytes.remove_prefix(kWord)) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data(), kWord);
-    crc = __builtin_ia32_crc32di(crc, word);
-  }
-  auto rest = static_cast<std::uint32_t>(crc);
-  for (const char c : bytes) rest = __builtin_ia32_crc32qi(rest, static_cast<unsigned char>(c));
-  return ~rest;
-}
-#endif
-
 std::uint64_t crc32c(std::string_view bytes) {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("sse4.2")) return crc32c_of_processor(bytes);
-#endif
   boost::crc_optimal<32, 0x1EDC'6F41, 0xFFFF'FFFF, 0xFFFF'FFFF, true, true> crc;
   crc.process_bytes(bytes.data(), bytes.size());
   return crc.checksum();

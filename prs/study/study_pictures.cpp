@@ -212,7 +212,7 @@ SlipResult slip_of(const StudyResult& result, const StudyRow& row) {
   slip.efficiency = number_at(result, row, "slip.efficiency");
   slip.efficiency_fit = number_at(result, row, "slip.efficiency_fit");
   for (const PowerSource& source : kPowerSources)
-    slip.power.*source.value = *loss * number_at(result, row, share_path(source)).value_or(0.0) / per_si::percent;
+    slip.power.*source.value = *loss * number_at(result, row, share_path(source)).value_or(0.0) / "%"_per_si;
   return slip;
 }
 

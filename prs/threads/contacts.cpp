@@ -48,11 +48,11 @@ void warn_of_interference(const Contacts& c, std::vector<Warning>& warnings) {
     const std::string_view part = name(body_of(i));
     Warning warning = Warning{fmt::format("{}.{}", stated ? "mechanism.backlash" : "mechanism.pitch_diameter", part),
                               "interference", fmt::format("the {} threads interfere: backlash {{value}}", label(i))}
-                          .with(point.backlash, {}, text_unit::millimetre, Warning::Worse::smaller);
+                          .with(point.backlash, {}, "mm"_unit, Warning::Worse::smaller);
     const double share = -point.backlash / body.pitch;
     if (share > kTouchingInterference) {
       warning.what += fmt::format(", {:.0f} % of the pitch: pitch cylinders that touch give up to {:.0f} %",
-                                  share * per_si::percent, kTouchingInterference * per_si::percent);
+                                  share * "%"_per_si, kTouchingInterference * "%"_per_si);
       warning.fix = stated ? "write a backlash of 0 or more, and `preload` for oversized rollers"
                            : "check pitch diameters, centre distance and thread thickness";
     }
@@ -78,7 +78,7 @@ void warn_of_kinematics(const Contacts& c, std::vector<Warning>& warnings) {
   if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(c.threads.screw.lead))
     warnings.push_back(
         Warning{"mechanism.pitch", "lead_difference", "the leads of nut and screw differ by {value}"}.with(
-            k.lead_difference, {}, text_unit::millimetre));
+            k.lead_difference, {}, "mm"_unit));
   if (!has_gear_ratio(c))
     warnings.push_back(Warning{"mechanism.pitch_diameter", "gear_ratio",
                                "the pitch diameters give the gear ratio {value}, the gears by their teeth n_R/n_S = "
@@ -91,7 +91,7 @@ void warn_of_kinematics(const Contacts& c, std::vector<Warning>& warnings) {
                                fmt::format("the rollers migrate along the {}: their pitch of {{value}} is not its "
                                            "{{limit}}; `slip` has the way per turn",
                                            name(geared))}
-                           .with(pitch.roller, pitch[geared], text_unit::millimetre));
+                           .with(pitch.roller, pitch[geared], "mm"_unit));
 }
 
 void require_thickness(const Mechanism& m, Part part) {
@@ -102,7 +102,7 @@ void require_thickness(const Mechanism& m, Part part) {
   throw CaseError(fmt::format("mechanism.thread.{}.thickness", name(part)),
                   fmt::format("got {:.6g} mm; expected less than the axial pitch of {:.6g} mm, which thread and "
                               "groove share; change it, or leave it out for half a pitch",
-                              thickness * per_si::millimetre, pitch * per_si::millimetre));
+                              thickness * "mm"_per_si, pitch * "mm"_per_si));
 }
 
 /// Reason why a thread is impossible, if it is.
@@ -117,8 +117,8 @@ std::optional<Problem> thread_failure(const contact::Thread& thread, Part part) 
   }
   return Problem{path, fmt::format("the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
                                    "pitch radius of {:.4f} mm ({})",
-                                   name(part), flank.smallest * per_si::millimetre, flank.largest * per_si::millimetre,
-                                   thread.pitch_radius * per_si::millimetre, contact::name(status))};
+                                   name(part), flank.smallest * "mm"_per_si, flank.largest * "mm"_per_si,
+                                   thread.pitch_radius * "mm"_per_si, contact::name(status))};
 }
 
 void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warning>& warnings) {
@@ -128,8 +128,8 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warni
   warnings.push_back({fmt::format("mechanism.thread.{}", name(part)), "beyond_sharp_thread",
                       fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its "
                                   "flanks meet at {:.4f} and {:.4f} mm",
-                                  name(part), given.smallest * per_si::millimetre, given.largest * per_si::millimetre,
-                                  sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre)});
+                                  name(part), given.smallest * "mm"_per_si, given.largest * "mm"_per_si,
+                                  sharp.smallest * "mm"_per_si, sharp.largest * "mm"_per_si)});
 }
 
 /// Warns of rollers that clear each other only if their crests, which are not stated, are lower than where the flanks
@@ -162,8 +162,8 @@ std::string off_the_flanks(const contact::FlankViolations& violations, Interface
   std::string text = "the contact point lies ";
   const char* separator = "";
   for (const contact::FlankViolation& v : violations) {
-    text += fmt::format("{}{:.4f} mm beyond the {} of the {}", separator, v.by * per_si::millimetre,
-                        contact::name(v.end), v.of_roller ? "roller" : name(i));
+    text += fmt::format("{}{:.4f} mm beyond the {} of the {}", separator, v.by * "mm"_per_si, contact::name(v.end),
+                        v.of_roller ? "roller" : name(i));
     separator = ", ";
   }
   return text;
@@ -246,7 +246,7 @@ Problem why_no_contact(const contact::MechanismGeometry& threads, const contact:
       const double distance = distance_of_crests(pair_of(threads, i), i);
       return {"mechanism.centre_distance",
               fmt::format("the flanks of roller and {} {} by {:.4f} mm", name(i),
-                          distance > 0.0 ? "miss each other" : "overlap", std::abs(distance) * per_si::millimetre)};
+                          distance > 0.0 ? "miss each other" : "overlap", std::abs(distance) * "mm"_per_si)};
     }
     case Status::outside_flank:
       return {"mechanism.thread", off_the_flanks(point_beyond_flanks(pair_of(threads, i), geometry.point), i)};

@@ -7,6 +7,9 @@
 namespace prs {
 namespace {
 
+/// Speed times diameter [m rad/s], which makers state as n d.
+constexpr ShownUnit kSpeedTimesDiameter{"", "mm/min", "mm"_per_si * "rpm"_per_si};
+
 // Usual values, with room to either side: a maker's 24 standard screws of 4 to 120 mm (validation/standard_screws) have
 // helix angles of 1 to 9 deg, threads over 5 to 7.5 diameters of the roller, and nuts with a wall of 10 to 29 % of the
 // pitch diameter.
@@ -28,7 +31,7 @@ void warn_of_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<Wa
       warnings.push_back(Warning{"mechanism.centre_distance", fmt::format("{}_pitch_cylinders", name(i)),
                                  fmt::format("the pitch cylinders of roller and {} {} by {{value}}", name(i),
                                              gap > 0 ? "miss each other" : "overlap")}
-                             .with(std::abs(gap), {}, text_unit::millimetre));
+                             .with(std::abs(gap), {}, "mm"_unit));
   }
 }
 
@@ -43,7 +46,7 @@ void warn_of_proportions(const Conditions& c, const Mechanism& m, std::vector<Wa
     if (m.flank_angle[p] < 20 * std::numbers::pi / 180 || m.flank_angle[p] > 70 * std::numbers::pi / 180)
       warnings.push_back(Warning{"mechanism.flank_angle", fmt::format("{}_flank_angle", name(p)),
                                  fmt::format("the {}'s flank angle of {{value}} is far from the usual 45 deg", name(p))}
-                             .with(m.flank_angle[p], {}, text_unit::degree));
+                             .with(m.flank_angle[p], {}, "deg"_unit));
   const double helix =
       180.0 / std::numbers::pi * std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
   if (helix > kSteepestHelix || helix < kFlattestHelix) {
@@ -53,8 +56,8 @@ void warn_of_proportions(const Conditions& c, const Mechanism& m, std::vector<Wa
                                            "{}; usual are {:g} to {:g} deg",
                                            mm(m.lead), mm(*m.pitch_diameter.screw), kFlattestHelix, kSteepestHelix),
                                "check both"}
-                           .with(helix / per_si::degree, (steep ? kSteepestHelix : kFlattestHelix) / per_si::degree,
-                                 text_unit::degree, steep ? Warning::Worse::larger : Warning::Worse::smaller));
+                           .with(helix / "deg"_per_si, (steep ? kSteepestHelix : kFlattestHelix) / "deg"_per_si,
+                                 "deg"_unit, steep ? Warning::Worse::larger : Warning::Worse::smaller));
   }
   const double slenderness = (m.contacts_per_roller - 1) * axial_pitch(m) / *m.pitch_diameter.roller;
   if (slenderness > kMostSlender)
@@ -68,21 +71,20 @@ void warn_of_proportions(const Conditions& c, const Mechanism& m, std::vector<Wa
   const Structure& s = *c.structure;
   const double wall = 0.5 * (s.nut.outer_diameter - *m.pitch_diameter.nut);
   if (wall < kThinnestWall * *m.pitch_diameter.nut)
-    warnings.push_back(
-        Warning{"structure.nut.outer_diameter", "thin_nut",
-                fmt::format("got {}, a wall of {{value}} outside the nut's pitch diameter of {}; "
-                            "usual are {{limit}} or more",
-                            mm(s.nut.outer_diameter), mm(*m.pitch_diameter.nut)),
-                "check both"}
-            .with(wall, kThinnestWall * *m.pitch_diameter.nut, text_unit::millimetre, Warning::Worse::smaller));
+    warnings.push_back(Warning{"structure.nut.outer_diameter", "thin_nut",
+                               fmt::format("got {}, a wall of {{value}} outside the nut's pitch diameter of {}; "
+                                           "usual are {{limit}} or more",
+                                           mm(s.nut.outer_diameter), mm(*m.pitch_diameter.nut)),
+                               "check both"}
+                           .with(wall, kThinnestWall * *m.pitch_diameter.nut, "mm"_unit, Warning::Worse::smaller));
   if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)
     warnings.push_back(
         Warning{"structure.screw.bore", "thin_screw", "the screw's bore leaves a wall of {value} at the pitch diameter"}
-            .with(0.5 * (*m.pitch_diameter.screw - s.screw.bore), {}, text_unit::millimetre, Warning::Worse::smaller));
+            .with(0.5 * (*m.pitch_diameter.screw - s.screw.bore), {}, "mm"_unit, Warning::Worse::smaller));
   if (s.roller.end_diameter > *m.pitch_diameter.roller)
     warnings.push_back(Warning{"structure.roller.end_diameter", "thick_roller_ends",
                                "the roller's ends ({value}) are thicker than its thread ({limit})"}
-                           .with(s.roller.end_diameter, *m.pitch_diameter.roller, text_unit::millimetre));
+                           .with(s.roller.end_diameter, *m.pitch_diameter.roller, "mm"_unit));
 }
 
 void warn_of_speed(const std::string& path, double speed, double diameter, std::vector<Warning>& warnings) {
@@ -93,7 +95,7 @@ void warn_of_speed(const std::string& path, double speed, double diameter, std::
                                            "{{value}}; makers allow up to {{limit}}",
                                            rpm(speed), mm(diameter)),
                                "lower the speed, or ask the maker"}
-                           .with(n_d, kGreatestSpeedTimesDiameter, text_unit::millimetre_per_minute));
+                           .with(n_d, kGreatestSpeedTimesDiameter, kSpeedTimesDiameter));
 }
 
 void warn_of_speeds(const Conditions& c, const Mechanism& m, std::span<const LoadCase> loads,
@@ -134,7 +136,7 @@ void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads, 
     warnings.push_back({fmt::format("structure.nut.thrust.{}", name(d)), "pulled_face",
                         fmt::format("{} lifts the nut off the face at {:g} mm: it holds with a bolted "
                                     "flange, not against a housing that only pushes",
-                                    name(d), *section * per_si::millimetre)});
+                                    name(d), *section * "mm"_per_si)});
   }
 }
 

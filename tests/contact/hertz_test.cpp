@@ -168,13 +168,13 @@ TEST(Hertz, PressureIntegratesToTheLoad) {
     for (int j = 0; j < 16; ++j) {
       const double phi = 2.0 * pi * (j + 0.5) / 16;
       const double r = std::sin(t);
-      load += c.pressure(r * c.semi_major * std::cos(phi), r * c.semi_minor * std::sin(phi)) * r * std::cos(t);
+      const double x = r * std::cos(phi), y = r * std::sin(phi);
+      load += c.peak_pressure * std::sqrt(1.0 - x * x - y * y) * r * std::cos(t);
     }
   }
   load *= c.semi_major * c.semi_minor * (0.5 * pi / n) * (2.0 * pi / 16);
   EXPECT_NEAR(load / c.normal_load, 1.0, 1e-5);
   EXPECT_NEAR(2.0 / 3.0 * c.peak_pressure * pi * c.semi_major * c.semi_minor / c.normal_load, 1.0, 1e-15);
-  EXPECT_EQ(c.pressure(1.01 * c.semi_major, 0.0), 0.0);
 }
 
 TEST(Hertz, LoadIsTheDerivativeOfTheStrainEnergy) {
@@ -198,7 +198,7 @@ TEST(Hertz, LoadFollowsApproachToThePowerOfThreeHalves) {
   }
   EXPECT_EQ(at_load(h, 0.0).semi_major, 0.0);
   EXPECT_EQ(at_load(h, -1.0).approach, 0.0);
-  EXPECT_EQ(at_load(h, 0.0).pressure(0.0, 0.0), 0.0);
+  EXPECT_EQ(at_load(h, 0.0).peak_pressure, 0.0);
 }
 
 TEST(Hertz, BadInputIsNamed) {

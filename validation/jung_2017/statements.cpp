@@ -16,9 +16,7 @@ struct Design {
   double nut_outer = 75.0, screw = 37.5, roller = 12.5;
   Threads threads = {};
 
-  Diameters diameters() const {
-    return {nut_outer / per_si::millimetre, screw / per_si::millimetre, roller / per_si::millimetre};
-  }
+  Diameters diameters() const { return {nut_outer / "mm"_per_si, screw / "mm"_per_si, roller / "mm"_per_si}; }
 };
 
 /// One dimension of tables 3.2 to 3.9 and 4.2 to 4.9, or the rows of table 7.1 or 7.2, with dependent dimensions.
@@ -67,7 +65,7 @@ const std::map<std::string, Sweep> kSweeps{
     {"helix_angle",
      {" deg",
       {1, 10, 20, 30, 45},
-      [](double degrees) { return Design{.threads = {.helix_angle = degrees / per_si::degree}}; }}},
+      [](double degrees) { return Design{.threads = {.helix_angle = degrees / "deg"_per_si}}; }}},
     {"case_1",
      {" mm",
       {54, 60, 66, 72, 78},
@@ -217,7 +215,7 @@ Loaded with_force(Case c, double factor) {
   return loaded(c);
 }
 Loaded with_groove_angle(Case c, double degrees) {
-  const double flank = degrees / 2.0 / per_si::degree;
+  const double flank = degrees / 2.0 / "deg"_per_si;
   c.mechanism.flank_angle = {flank, flank, flank};
   return loaded(c);
 }
@@ -226,7 +224,7 @@ Loaded with_threads(Case c, int threads) {
   return loaded(c);
 }
 Loaded with_helix_angle(Case c, double degrees) {
-  c.mechanism.lead = std::numbers::pi * *c.mechanism.pitch_diameter.screw * std::tan(degrees / per_si::degree);
+  c.mechanism.lead = std::numbers::pi * *c.mechanism.pitch_diameter.screw * std::tan(degrees / "deg"_per_si);
   return loaded(c);
 }
 

@@ -28,7 +28,7 @@ std::array<Diameters, 10> table(double (*roller)(int row, double screw)) {
   std::array<Diameters, 10> rows;
   for (int row = 0; row < 10; ++row) {
     Diameters& d = rows[static_cast<std::size_t>(row)];
-    d.nut_outer = (54.0 + 3.0 * row) / per_si::millimetre;
+    d.nut_outer = (54.0 + 3.0 * row) / "mm"_per_si;
     d.screw = 0.5 * d.nut_outer;
     d.roller = roller(row, d.screw);
   }
@@ -94,7 +94,7 @@ ValidationTable deviations_of_table_a1(const Reference& thesis) {
 }  // namespace
 
 std::array<Diameters, 10> case_1() {
-  return table([](int row, double) { return (9.0 + row) / per_si::millimetre; });
+  return table([](int row, double) { return (9.0 + row) / "mm"_per_si; });
 }
 
 std::array<Diameters, 10> case_2() {
@@ -111,13 +111,13 @@ ThreadCompliance compliance_as_printed(const Diameters& d, const Threads& t) {
   ThreadCompliance c = yamamoto(d, tooth, kWidth, kWidth);
   constexpr double kModulus = 4.333e-12, kApproach = 0.98;
   const auto approach = [](double sum) {  // (3.43), (3.44) [mm/N^(2/3)]
-    sum /= per_si::millimetre;
+    sum /= "mm"_per_si;
     return kApproach * std::pow(1.5 * kModulus / sum, 2.0 / 3.0) * sum / 2.0;
   };
   const BothCurvatures rho = curvatures(d);
   const double axial = std::sin(kContactAngle) * std::cos(t.helix_angle.value_or(kPrintedHelixAngle));
   c.hertz = (approach(rho.nut.sum()) + approach(rho.screw.sum())) * std::cbrt(1.0 / t.load) *
-            std::pow(axial, -5.0 / 3.0) / per_si::millimetre;
+            std::pow(axial, -5.0 / 3.0) / "mm"_per_si;
   return c;
 }
 
@@ -129,8 +129,8 @@ Measures as_printed(const Diameters& d, const Threads& t) {
   m.stiffness = 1.0 / compliance_as_printed(d, t).total();
   m.load_capacity = capacity(d, t, t.helix_angle.value_or(kPrintedHelixAngle));
   // Evaluated in mm and in this order: a weight of table 7.2 ends in a rounded 5.
-  const double d_r = per_si::millimetre * d.roller, d_n = per_si::millimetre * outer;
-  const double wall = d_n - per_si::millimetre * d.screw - 2.0 * d_r;
+  const double d_r = "mm"_per_si * d.roller, d_n = "mm"_per_si * outer;
+  const double wall = d_n - "mm"_per_si * d.screw - 2.0 * d_r;
   m.weight = 0.006165 * square(d_r) * t.rollers * t.length + 0.02466 * (d_n - wall) * wall * t.length;
   return m;
 }
@@ -203,9 +203,9 @@ std::array<ScaleLine, 10> scale_chart() {
   for (int k = 0; k < 10; ++k) {
     ScaleLine& line = lines[static_cast<std::size_t>(k)];
     line.rollers = 6 + k;
-    line.roller = (7.8 + 1.3 * k) / per_si::millimetre;
-    line.screw = (18.0 + 3.0 * k) / per_si::millimetre;
-    line.nut_outer = (40.0 + 6.67 * k) / per_si::millimetre;
+    line.roller = (7.8 + 1.3 * k) / "mm"_per_si;
+    line.screw = (18.0 + 3.0 * k) / "mm"_per_si;
+    line.nut_outer = (40.0 + 6.67 * k) / "mm"_per_si;
     sum_of_squares += line.nut_outer * line.nut_outer;
   }
   const double root_mean_square = std::sqrt(sum_of_squares / 10.0);
@@ -243,8 +243,8 @@ double VolumeFit::at(double x) const {
 
 std::vector<VolumeFit> volume_fits(const Reference& thesis) {
   const std::map<std::string, double (*)(const Measures&), std::less<>> values{
-      {"stiffness, N/mm", [](const Measures& m) { return m.stiffness / per_si::millimetre; }},
-      {"load capacity, kN", [](const Measures& m) { return m.load_capacity * per_si::kilonewton; }},
+      {"stiffness, N/mm", [](const Measures& m) { return m.stiffness / "mm"_per_si; }},
+      {"load capacity, kN", [](const Measures& m) { return m.load_capacity * "kN"_per_si; }},
       {"weight, kg", [](const Measures& m) { return m.weight; }}};
   const CsvTable table(thesis.folder / "fits.csv");
   std::vector<VolumeFit> fits;
@@ -317,9 +317,9 @@ Json lines_by_rollers() {
   Json lines = Json::object();
   for (const ScaleLine& line : scale_chart())
     lines[fmt::format("rollers_{}", line.rollers)] = {{"scale", line.scale},
-                                                      {"roller_mm", line.roller * per_si::millimetre},
-                                                      {"screw_mm", line.screw * per_si::millimetre},
-                                                      {"nut_outer_mm", line.nut_outer * per_si::millimetre}};
+                                                      {"roller_mm", line.roller * "mm"_per_si},
+                                                      {"screw_mm", line.screw * "mm"_per_si},
+                                                      {"nut_outer_mm", line.nut_outer * "mm"_per_si}};
   return lines;
 }
 
@@ -342,10 +342,10 @@ ValidationTable measures_table(std::string title, const std::array<Diameters, 10
       std::move(title), {"D_n, mm", "d_r, mm", "T, mm", "V, l", "k, N/mm", "C_a, kN", "W, kg", "C_a/W, kN/kg"}, {}};
   for (const Diameters& d : rows) {
     const Measures m = measures(d, {});
-    table.rows.push_back({fmt::format("{:g}", d.nut_outer * per_si::millimetre),
-                          {d.roller * per_si::millimetre, m.nut_thickness * per_si::millimetre, 1e3 * m.volume,
-                           m.stiffness / per_si::millimetre, m.load_capacity * per_si::kilonewton, m.weight,
-                           m.force_density() * per_si::kilonewton}});
+    table.rows.push_back(
+        {fmt::format("{:g}", d.nut_outer * "mm"_per_si),
+         {d.roller * "mm"_per_si, m.nut_thickness * "mm"_per_si, 1e3 * m.volume, m.stiffness / "mm"_per_si,
+          m.load_capacity * "kN"_per_si, m.weight, m.force_density() * "kN"_per_si}});
   }
   return table;
 }
@@ -357,7 +357,7 @@ ValidationTable compliance_table() {
                         {}};
   const auto row = [&](const char* label, const ThreadCompliance& c) {
     table.rows.push_back({label, {c.teeth, c.screw_radial, c.nut_radial, c.hertz, c.total()}});
-    for (double& value : table.rows.back().values) value *= per_si::nanometre;
+    for (double& value : table.rows.back().values) value *= "nm"_per_si;
   };
   row("as printed", compliance_as_printed(case_1().front()));
   row("right", right_compliance(case_1().front()));
@@ -396,7 +396,7 @@ struct Problem {
   std::string message;
 };
 
-std::string in_mm(double length) { return fmt::format("{:.10g} mm", length * per_si::millimetre); }
+std::string in_mm(double length) { return fmt::format("{:.10g} mm", length * "mm"_per_si); }
 
 std::optional<Problem> problem_of(const Diameters& d) {
   for (std::size_t k = 0; k < kGivenCount; ++k) {
@@ -412,7 +412,7 @@ std::optional<Problem> problem_of(const Diameters& d) {
   const double ratio = d.roller * cosine / d.nut_inner();
   if (geometry_factor(ratio)) return {};
   // d_r cos/d_n = q, d_n = d_s + 2 d_r; rounded to whole micrometres within the range.
-  const auto roller_at = [&](double limit) { return d.screw / (cosine / limit - 2.0) * per_si::micrometre; };
+  const auto roller_at = [&](double limit) { return d.screw / (cosine / limit - 2.0) * "µm"_per_si; };
   return Problem{2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where Lemor's "
                                 "geometry factor is known; with this screw take {:g} to {:g} mm",
                                 in_mm(d.roller), ratio, std::ceil(roller_at(kFactorRatios.least)) * 1e-3,
@@ -482,7 +482,7 @@ std::vector<Diameters> read_csv(const std::string& file) {
   std::vector<Diameters> rows(table.rows());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t k = 0; k < kGivenCount; ++k)
-      rows[row].*kGiven[k].diameter = table.number(row, columns[k]) / per_si::millimetre;
+      rows[row].*kGiven[k].diameter = table.number(row, columns[k]) / "mm"_per_si;
     if (const std::optional<Problem> problem = problem_of(rows[row]))
       table.fail(row, columns[problem->given], problem->message);
   }
@@ -498,19 +498,18 @@ struct Column {
   double (*value)(const Diameters&, const Measures&);
 };
 constexpr Column kColumns[] = {
-    {"nut_outer_mm", "D_n, mm", per_si::millimetre, "{:.10g}",
+    {"nut_outer_mm", "D_n, mm", "mm"_per_si, "{:.10g}",
      [](const Diameters& d, const Measures&) { return d.nut_outer; }},
-    {"screw_mm", "d_s, mm", per_si::millimetre, "{:.10g}", [](const Diameters& d, const Measures&) { return d.screw; }},
-    {"roller_mm", "d_r, mm", per_si::millimetre, "{:.10g}",
-     [](const Diameters& d, const Measures&) { return d.roller; }},
-    {"nut_thickness_mm", "T, mm", per_si::millimetre, "{:.6g}",
+    {"screw_mm", "d_s, mm", "mm"_per_si, "{:.10g}", [](const Diameters& d, const Measures&) { return d.screw; }},
+    {"roller_mm", "d_r, mm", "mm"_per_si, "{:.10g}", [](const Diameters& d, const Measures&) { return d.roller; }},
+    {"nut_thickness_mm", "T, mm", "mm"_per_si, "{:.6g}",
      [](const Diameters&, const Measures& m) { return m.nut_thickness; }},
     {"volume_l", "V, l", 1e3, "{:.3f}", [](const Diameters&, const Measures& m) { return m.volume; }},
     {"stiffness_N_per_mm", "k, N/mm", 1e-3, "{:.6g}", [](const Diameters&, const Measures& m) { return m.stiffness; }},
-    {"load_capacity_kN", "C_a, kN", per_si::kilonewton, "{:.3f}",
+    {"load_capacity_kN", "C_a, kN", "kN"_per_si, "{:.3f}",
      [](const Diameters&, const Measures& m) { return m.load_capacity; }},
     {"weight_kg", "W, kg", 1.0, "{:.3f}", [](const Diameters&, const Measures& m) { return m.weight; }},
-    {"force_density_kN_per_kg", "C_a/W, kN/kg", per_si::kilonewton, "{:.3f}",
+    {"force_density_kN_per_kg", "C_a/W, kN/kg", "kN"_per_si, "{:.3f}",
      [](const Diameters&, const Measures& m) { return m.force_density(); }},
 };
 

@@ -99,8 +99,8 @@ class Reader {
   CurvePoint point_at(std::size_t row) const {
     const double load = positive(row, load_), displacement = positive(row, displacement_);
     check_stiffness(row, load, displacement);
-    return {load / per_si::kilonewton,
-            displacement / per_si::micrometre,
+    return {load / "kN"_per_si,
+            displacement / "µm"_per_si,
             {rates_at(row, Interface::screw), rates_at(row, Interface::nut)}};
   }
 
@@ -120,7 +120,7 @@ class Reader {
       const double percent = table_.number(row, column);
       sum += percent;
       rounding += table_.half_unit(row, column);
-      rates.push_back(percent / per_si::percent);
+      rates.push_back(percent / "%"_per_si);
     }
     if (std::abs(sum - 100.0) > rounding * kSlack)
       table_.fail(row, rates_[i].front(),

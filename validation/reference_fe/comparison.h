@@ -42,7 +42,7 @@ struct Curve {
 /// once. Throws input::InputError.
 std::vector<Curve> read_curves(const std::filesystem::path& file);
 
-inline double percent(double share) { return share * per_si::percent; }
+inline double percent(double share) { return share * "%"_per_si; }
 
 /// Half widths of the interval that should contain the true value.
 struct ErrorBar {

@@ -25,7 +25,7 @@ ErrorBar sum(const ErrorBar& a, const ErrorBar& b) { return {a.stiffness + b.sti
 /// `-1.20 % (3 tension both_end_nodes opposite, 45 kN)`, the value times a factor.
 std::string shown(const Extreme& e, const char* format, int factor = 1) {
   return fmt::format(fmt::runtime(format), percent(e.value * factor)) +
-         fmt::format(" ({}, {:g} kN)", name(e.setup), e.load * per_si::kilonewton);
+         fmt::format(" ({}, {:g} kN)", name(e.setup), e.load * "kN"_per_si);
 }
 
 int threads(const Fidelities& f) { return static_cast<int>(f.reference.front().points.back().load_rate.screw.size()); }
@@ -115,7 +115,7 @@ constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 bool all_loads(const Setup&, double) { return true; }
 
 std::string at_full_load(const std::vector<Curve>& reference) {
-  return fmt::format("{:g} kN", reference.front().points.back().load * per_si::kilonewton);
+  return fmt::format("{:g} kN", reference.front().points.back().load * "kN"_per_si);
 }
 
 /// The unit of load rates and how to read it.
@@ -136,7 +136,7 @@ ValidationTable stiffness_table(const std::vector<Model>& models, const std::vec
     for (const Model& model : models) table.columns.push_back(model.name + what);
   for (std::size_t k = 0; k < reference.size(); ++k) {
     const CurvePoint& full = reference[k].points.back();
-    ValidationTable::Row row{name(reference[k].setup), {full.stiffness() * per_si::newton_per_micrometre}};
+    ValidationTable::Row row{name(reference[k].setup), {full.stiffness() * "N/µm"_per_si}};
     for (const Model& model : models) {
       const auto d = discrepancy(model.curves[k].points.back(), full);
       row.values.push_back(d ? percent(d->stiffness) : kAbsent);
@@ -195,13 +195,13 @@ void setup_header(CsvWriter& csv) {
 
 void setup_fields(CsvWriter& csv, const Setup& setup, double load) {
   for (const std::string& word : words(setup)) csv.text(word);
-  csv.number(load, per_si::kilonewton);
+  csv.number(load, "kN"_per_si);
 }
 
 void load_discrepancy_fields(CsvWriter& csv, const std::optional<Discrepancy>& d, Interface i) {
   for (const auto value : {&LoadDiscrepancy::mean, &LoadDiscrepancy::largest, &LoadDiscrepancy::relative_mean,
                            &LoadDiscrepancy::relative_highest, &LoadDiscrepancy::relative_lowest})
-    csv.number(d ? std::optional(d->loads[i].*value) : std::nullopt, per_si::percent);
+    csv.number(d ? std::optional(d->loads[i].*value) : std::nullopt, "%"_per_si);
 }
 
 std::string comparison_csv(const std::vector<Model>& models, const std::vector<Curve>& reference) {
@@ -221,10 +221,10 @@ std::string comparison_csv(const std::vector<Model>& models, const std::vector<C
         const std::optional<Discrepancy> d = discrepancy(point, target);
         setup_fields(csv, reference[k].setup, target.load);
         csv.text(model.name);
-        csv.number(d ? std::optional(point.displacement) : std::nullopt, per_si::micrometre);
-        csv.number(target.displacement, per_si::micrometre);
-        csv.number(d ? std::optional(point.stiffness()) : std::nullopt, per_si::newton_per_micrometre);
-        csv.number(d ? std::optional(d->stiffness) : std::nullopt, per_si::percent);
+        csv.number(d ? std::optional(point.displacement) : std::nullopt, "µm"_per_si);
+        csv.number(target.displacement, "µm"_per_si);
+        csv.number(d ? std::optional(point.stiffness()) : std::nullopt, "N/µm"_per_si);
+        csv.number(d ? std::optional(d->stiffness) : std::nullopt, "%"_per_si);
         for (const Interface i : kInterfaces) load_discrepancy_fields(csv, d, i);
         csv.end_row();
       }
@@ -249,8 +249,8 @@ std::string load_rates_csv(const std::vector<Model>& models, const std::vector<C
           setup_fields(csv, reference[k].setup, target.load);
           csv.text(prs::name(i));
           csv.integer(thread + 1);
-          csv.number(target.load_rate[i][thread], per_si::percent);
-          for (const Model& model : models) csv.number(rate_of(model.curves[k].points[n], i, thread), per_si::percent);
+          csv.number(target.load_rate[i][thread], "%"_per_si);
+          for (const Model& model : models) csv.number(rate_of(model.curves[k].points[n], i, thread), "%"_per_si);
           csv.end_row();
         }
     }
@@ -260,8 +260,7 @@ std::string load_rates_csv(const std::vector<Model>& models, const std::vector<C
 /// Table of the rates of one case at its largest load.
 std::string markdown_table(const std::vector<Model>& models, const Curve& reference, std::size_t curve) {
   const CurvePoint& target = reference.points.back();
-  std::string text =
-      fmt::format("\n## {}, {:g} kN\n\n| thread |", name(reference.setup), target.load * per_si::kilonewton);
+  std::string text = fmt::format("\n## {}, {:g} kN\n\n| thread |", name(reference.setup), target.load * "kN"_per_si);
   std::string rule = "\n| ---: |";
   for (const Interface i : kInterfaces) {
     text += fmt::format(" {}: reference |", prs::name(i));
@@ -339,7 +338,7 @@ Series error_bars(std::size_t style, const Polyline& points, const std::vector<d
 Polyline differences(const std::vector<double>& rates, const std::vector<double>& base) {
   Polyline points;
   for (std::size_t k = 0; k < rates.size(); ++k)
-    points.push_back({static_cast<double>(k + 1), (rates[k] - base[k]) * per_si::percent});
+    points.push_back({static_cast<double>(k + 1), (rates[k] - base[k]) * "%"_per_si});
   return points;
 }
 
@@ -353,7 +352,7 @@ Panel rate_panel(const std::vector<Model>& models, std::size_t curve, const Curv
   }
   const Polyline points = differences(reference.load_rate[i], base);
   panel.series.push_back(
-      error_bars(styles.bars, points, std::vector<double>(points.size(), error.load_rate * per_si::percent)));
+      error_bars(styles.bars, points, std::vector<double>(points.size(), error.load_rate * "%"_per_si)));
   panel.series.push_back({styles.points, {points}});
   return panel;
 }
@@ -373,8 +372,8 @@ Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, con
   Figure figure;
   const auto w = words(reference.setup);
   figure.name = fmt::format("load_rate_config{}_{}_{}", w[0], w[1], w[2]);
-  figure.title = fmt::format("{}, {:.4g} kN, guidance: {}", case_title(reference.setup),
-                             point.load * per_si::kilonewton, guidance_title(reference.setup));
+  figure.title = fmt::format("{}, {:.4g} kN, guidance: {}", case_title(reference.setup), point.load * "kN"_per_si,
+                             guidance_title(reference.setup));
   figure.x = thread_axis(threads);
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
@@ -395,7 +394,7 @@ Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, con
 Polyline over_load(const Curve& curve) {
   Polyline points{{0.0, 0.0}};
   for (const CurvePoint& point : curve.points)
-    if (point.is_solved()) points.push_back({point.load * per_si::kilonewton, point.displacement * per_si::micrometre});
+    if (point.is_solved()) points.push_back({point.load * "kN"_per_si, point.displacement * "µm"_per_si});
   return points;
 }
 
@@ -449,7 +448,7 @@ std::vector<Figure> displacement_figures(const std::vector<Model>& models, const
     for (std::size_t k = 0; k < reference.size(); ++k) {
       const Setup& setup = reference[k].setup;
       if (!is_drawn(setup) || setup.guidance != guidance) continue;
-      figure.x.to = reference[k].points.back().load * per_si::kilonewton;
+      figure.x.to = reference[k].points.back().load * "kN"_per_si;
       figure.panels.push_back(displacement_panel(models, k, reference[k], styles, error));
     }
     fit_y_range(figure);

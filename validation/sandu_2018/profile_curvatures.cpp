@@ -14,8 +14,7 @@ constexpr ProfileCurvatures kLeft{-0.007, 0.03}, kCentre{0.0, 0.0}, kRight{0.6, 
 
 Profile profile_of(double convexity) {
   if (convexity == 0.0) return {Profile::Shape::straight};
-  return {convexity > 0.0 ? Profile::Shape::convex : Profile::Shape::concave,
-          1.0 / std::abs(convexity) / per_si::millimetre};
+  return {convexity > 0.0 ? Profile::Shape::convex : Profile::Shape::concave, 1.0 / std::abs(convexity) / "mm"_per_si};
 }
 
 PerInterface<InterfaceContact> contacts_of(const Case& example, const ProfileCurvatures& curvatures) {
@@ -30,7 +29,7 @@ double ellipticity(const InterfaceContact& contact) { return 1.0 / contact.hertz
 
 /// Acute angle between the major axis and the helix of the roller [deg].
 double from_helix(const InterfaceContact& contact) {
-  return std::abs(std::remainder(contact.geometry.relative.angle, std::numbers::pi)) * per_si::degree;
+  return std::abs(std::remainder(contact.geometry.relative.angle, std::numbers::pi)) * "deg"_per_si;
 }
 
 bool has_contacts(const Case& example, const ProfileCurvatures& curvatures) {
@@ -114,7 +113,7 @@ ValidationTable ellipses(const Case& example) {
       const InterfaceContact& contact = contacts[i];
       values.push_back(ellipticity(contact));
       values.push_back(from_helix(contact));
-      values.push_back(contact.geometry.point.radius_on_body * per_si::millimetre);
+      values.push_back(contact.geometry.point.radius_on_body * "mm"_per_si);
     }
     table.rows.push_back({label, values});
   };

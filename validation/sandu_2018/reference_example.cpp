@@ -131,11 +131,11 @@ ValidationTable printed_ellipses(const Case& reference) {
                          double rolling_speed) {
       const contact::Film film =
           contact::sandu_film(*model.oils.threads[i], {load, larger_curvature, contact.contact_modulus}, rolling_speed);
-      row.push_back(film.thickness * per_si::nanometre);
+      row.push_back(film.thickness * "nm"_per_si);
       row.push_back(contact::Patch(grid, ellipse, contact::friction_law(contact::Coulomb{0.0}))
                         .friction(motion)
                         .max_sliding_speed *
-                    per_si::millimetre);
+                    "mm"_per_si);
     };
     add(thesis, printed_ellipse(relative, load, contact.contact_modulus), relative.second, rolling);
     add(here, contact::at_load(contact.hertz, load), contact.geometry.relative.second, motion.rolling_speed);
@@ -166,15 +166,15 @@ Json reciprocating_rig(double contact_modulus) {
   constexpr double kFrequency = 20.0, kPressureInScrew = 2.5e9;
   const contact::HertzConstants ball = contact::hertz_constants(1.0 / kBallRadius, 1.0 / kBallRadius, contact_modulus);
   const double pressure = contact::at_load(ball, kMass * kGravity).peak_pressure;
-  return {{"peak_pressure_GPa", pressure * per_si::gigapascal},                                  // (2.41)
-          {"max_speed_mm_per_s", std::numbers::pi * kStroke * kFrequency * per_si::millimetre},  // (2.42)
+  return {{"peak_pressure_GPa", pressure * "GPa"_per_si},                                 // (2.41)
+          {"max_speed_mm_per_s", std::numbers::pi * kStroke * kFrequency * "mm"_per_si},  // (2.42)
           {"mass_for_2_5_GPa_kg", kMass * std::pow(kPressureInScrew / pressure, 3.0)}};
 }
 
 Json derived(const Result& result) {
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const contact::ContactPoint& j = result.contacts.interfaces.nut.geometry.point;
-  const auto mm = [](double metres) { return metres * per_si::millimetre; };
+  const auto mm = [](double metres) { return metres * "mm"_per_si; };
   Json json{{"pitch_radius_mm",
              {{"screw", mm(threads.screw.pitch_radius)},
               {"roller", mm(threads.roller.pitch_radius)},
@@ -185,7 +185,7 @@ Json derived(const Result& result) {
             {"screw_contact_z_on_roller_mm", mm(height_on_roller(result.contacts))}};
   const double modulus = result.contacts.interfaces.screw.contact_modulus;
   if (modulus > 0.0) {
-    json["relative_modulus_GPa"] = 2.0 * modulus * per_si::gigapascal;  // (1.78)
+    json["relative_modulus_GPa"] = 2.0 * modulus * "GPa"_per_si;  // (1.78)
     json["hfrr"] = reciprocating_rig(modulus);
   }
   return json;

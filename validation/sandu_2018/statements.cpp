@@ -30,7 +30,7 @@ const Values kPressureAngles{30, 35, 40, 42.5, 45, 50, 60};  // alpha_n [deg]
 void diameter(Case& c, double mm) { c.mechanism.pitch_diameter.screw = mm * 1e-3; }
 void lead(Case& c, double mm) { c.mechanism.lead = mm * 1e-3; }
 void flank_angle(Case& c, double deg) {
-  const double angle = deg / per_si::degree;
+  const double angle = deg / "deg"_per_si;
   c.mechanism.flank_angle = {angle, angle, angle};
 }
 void roller_profile(Case& c, double mm) { c.mechanism.profile.roller.radius = mm * 1e-3; }
@@ -41,7 +41,7 @@ void rollers(Case& c, double n) { c.mechanism.rollers = static_cast<int>(n); }
 void clearance(Case& c, double mm) { c.carrier.bearing->radial_clearance = mm * 1e-3; }
 void eyring_stress(Case& c, double mpa) { c.lubricant->eyring_stress = mpa * 1e6; }
 void viscosity(Case& c, double mpas) { c.lubricant->viscosity = mpas * 1e-3; }
-void speed(Case& c, double rpm) { c.operation->speed = rpm / per_si::revolution_per_minute; }
+void speed(Case& c, double rpm) { c.operation->speed = rpm / "rpm"_per_si; }
 void force(Case& c, double kn) { c.load_cases.front().axial_force = kn * 1e3; }
 void nut_torque(Case& c, double nm) { c.carrier.nut_torque = nm; }
 void slip_ratio(Case& c, double ratio) { c.operation->slip_ratio = ratio; }
@@ -165,23 +165,22 @@ Finding nut_contact_spins(const Case& c) {
 Finding screw_contact_mostly_slides(const Case& c) {
   const InterfaceSlip screw = slip_of(at(c, slip_ratio, kMeasuredSlipRatio)).threads.screw;
   return {screw.sliding_speed.front() > 0.5 * screw.max_sliding_speed.front(),
-          fmt::format("the centre slides at {:.1f} of at most {:.1f} mm/s",
-                      screw.sliding_speed.front() * per_si::millimetre,
-                      screw.max_sliding_speed.front() * per_si::millimetre)};
+          fmt::format("the centre slides at {:.1f} of at most {:.1f} mm/s", screw.sliding_speed.front() * "mm"_per_si,
+                      screw.max_sliding_speed.front() * "mm"_per_si)};
 }
 
 Finding sliding_is_least_at_the_ideal(const Case& c) {
   bool least_there = true;
   const auto compare_type = [&](const Case& type, Interface sliding) {
     const auto speed_at = [&](double ratio) {
-      return slip_of(at(type, slip_ratio, ratio)).threads[sliding].sliding_speed.front() * per_si::millimetre;
+      return slip_of(at(type, slip_ratio, ratio)).threads[sliding].sliding_speed.front() * "mm"_per_si;
     };
     const double ideal = slip_of(type).ideal_slip_ratio, least = speed_at(ideal);
     for (const double step : {1e-4, 1e-2, 0.3})
       least_there = least_there && speed_at(ideal - step) > least && speed_at(ideal + step) > least;
     return fmt::format("{:.1f} mm/s at {:.4f}", least, ideal);
   };
-  const double along_axis = c.mechanism.lead * c.operation->speed / (2.0 * std::numbers::pi) * per_si::millimetre;
+  const double along_axis = c.mechanism.lead * c.operation->speed / (2.0 * std::numbers::pi) * "mm"_per_si;
   const std::string standard = compare_type(c, Interface::screw), other = compare_type(inverted(c), Interface::nut);
   return {least_there, fmt::format("standard {}, inverted {}, of which {:.1f} mm/s along the axis remain", standard,
                                    other, along_axis)};
@@ -310,8 +309,7 @@ Finding spin_torques_oppose_the_roller(const Case& c) {
       torques.push_back(b.interfaces[i].spin_torque);
       oppose = oppose && torques.back() * b.motion.roller_to_carrier < 0.0;
     }
-    return fmt::format("{} N mm at {:.1f} rad/s", listed(torques, per_si::newton_millimetre),
-                       b.motion.roller_to_carrier);
+    return fmt::format("{} N mm at {:.1f} rad/s", listed(torques, "N mm"_per_si), b.motion.roller_to_carrier);
   };
   const std::string standard = in_equilibrium(c), other = in_equilibrium(inverted(c));
   return {oppose, fmt::format("in equilibrium: standard {}, inverted {}; an inverted roller-nut contact "
@@ -412,7 +410,7 @@ Finding only_gears_drive_the_roller(const Case& c) {
   const double turns = m.balance().motion.roller_to_carrier;
   const bool holds =
       r.gears * turns > 0.0 && r.contacts * turns < 0.0 && r.spin * turns < 0.0 && r.carrier * turns < 0.0;
-  const double mm = per_si::newton_millimetre;
+  const double mm = "N mm"_per_si;
   return {holds, fmt::format("gears {:.1f}, contacts {:.1f}, spin {:.1f}, carrier {:.1f} N mm", r.gears * mm,
                              r.contacts * mm, r.spin * mm, r.carrier * mm)};
 }

@@ -118,9 +118,8 @@ Json cylinders(const Reference&) {
   Json json = Json::object();
   for (int d = 1; d <= kLargestDiameter; ++d) {
     const RoundBody body = tube(d * 1e-3, 0.0, 1.0);
-    json["cylinder"][fmt::format("d{}", d)] = {
-        {"kg_per_m", kDensity * body.volume},
-        {"kg_mm2_per_m", kDensity * body.polar_moment * per_si::square_millimetre}};
+    json["cylinder"][fmt::format("d{}", d)] = {{"kg_per_m", kDensity * body.volume},
+                                               {"kg_mm2_per_m", kDensity * body.polar_moment * 1e6}};
   }
   return json;
 }

@@ -342,8 +342,8 @@ double deflection_at_screw(const contact::ContactPoint& point) {
 Json derived(const Result& result) {
   const PerInterface<InterfaceContact>& interfaces = result.contacts.interfaces;
   const contact::ContactPoint& at_screw = interfaces.screw.geometry.point;
-  const double roller = deflection_at_screw(at_screw) * per_si::degree;
-  const double body = at_screw.angle_on_body * per_si::degree;
+  const double roller = deflection_at_screw(at_screw) * "deg"_per_si;
+  const double body = at_screw.angle_on_body * "deg"_per_si;
   return {{"screw", ellipse(interfaces.screw)},
           {"nut", ellipse(interfaces.nut)},
           {"roller_deflection_at_screw_deg", roller},

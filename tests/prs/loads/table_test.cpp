@@ -97,7 +97,7 @@ TEST(LoadCaseTable, WarningsThatDifferInNumbersOnlyAppearOnce) {
   add_sweep(result, "sweep", Direction::tension, 45);
   for (std::size_t k = 30; k < 45; ++k)
     result.load_cases[k].warnings = {Warning{"", "pressure", "peak pressure {value} is high"}.with(
-        (4.0 + 0.01 * static_cast<double>(k)) * 1e9, {}, text_unit::gigapascal)};
+        (4.0 + 0.01 * static_cast<double>(k)) * 1e9, {}, "GPa"_unit)};
   const std::string table = load_case_table(result);
   EXPECT_TRUE(contains(table, "Warnings\n  negative backlash\n"));
   EXPECT_TRUE(contains(table, "  peak pressure 4.44 GPa is high\n"));

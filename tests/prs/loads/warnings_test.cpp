@@ -43,8 +43,7 @@ TEST(Warning, PressureIsHeldAgainstTheLimitOfTheMaterials) {
 }
 
 TEST(Warning, ItsTextHasPathNumbersAndFix) {
-  const Warning warning =
-      Warning{"a.b", "code", "{value} exceeds {limit}", "lower it"}.with(4.0449e9, 4e9, text_unit::gigapascal);
+  const Warning warning = Warning{"a.b", "code", "{value} exceeds {limit}", "lower it"}.with(4.0449e9, 4e9, "GPa"_unit);
   EXPECT_EQ(sentence(warning), "a.b: 4.04 GPa exceeds 4 GPa; lower it");
   EXPECT_EQ(sentence(Warning{"", "code", "plain"}), "plain");
 }
@@ -52,8 +51,8 @@ TEST(Warning, ItsTextHasPathNumbersAndFix) {
 TEST(Warning, AValueNextToItsLimitHasTheDigitsThatTellThemApart) {
   EXPECT_EQ(sentence(Warning{"", "", "{value}, {limit}"}.with(3.500123, 3.5)), "3.5001, 3.5");
   EXPECT_EQ(sentence(Warning{"", "", "{value}, {limit}"}.with(3.5, 3.5)), "3.5, 3.5");
-  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(150345.0, {}, text_unit::newton_metre)), "150345 N m");
-  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(-1.25e-5, {}, text_unit::millimetre)), "-0.0125 mm");
+  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(150345.0, {}, "N m"_unit)), "150345 N m");
+  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(-1.25e-5, {}, "mm"_unit)), "-0.0125 mm");
 }
 
 TEST(WarningGroups, TheWorstValueIsToldWithItsLoadCase) {
