@@ -1,5 +1,7 @@
 #include "prs/loads/analyze.h"
 
+#include <map>
+
 #include "prs/bodies/body_solver.h"
 #include "prs/loads/full_result.h"
 #include "prs/model/check_case.h"
