@@ -124,7 +124,7 @@ constexpr Quantity<ComparedReading> kReading[] = {
     {"computed", of<[](auto& r) { return ComputedThere{r}; }>, "by the models"},
 };
 
-constexpr auto kComputedThere = []<std::size_t... kModels>(std::index_sequence<kModels...>) {
+const auto kComputedThere = []<std::size_t... kModels>(std::index_sequence<kModels...>) {
   return std::array{Quantity<ComputedThere>{kBodyModels[kModels].model.name, computed_by<kModels>,
                                             kBodyModels[kModels].model.help}...};
 }
