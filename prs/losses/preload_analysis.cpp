@@ -10,11 +10,13 @@ namespace {
 
 enum CurveStyle : std::size_t { kWithout, kWith, kTensionSide, kCompressionSide, kOpening };
 
+constexpr double kKilonewton = "kN"_per_si;
+
 /// Curve (load, value) of the points that converged, interrupted at the others.
 Series curve_of(std::size_t style, const PreloadCurve& curve, const auto& value) {
   Series line{style};
   for (const PreloadPoint& point : curve.points)
-    line.add(point.axial_force * "kN"_per_si,
+    line.add(point.axial_force * kKilonewton,
              point.solve.converged() ? std::optional<double>(value(point)) : std::nullopt);
   return line;
 }

@@ -544,11 +544,13 @@ Figures power_by_source(const Result& result, const FigureOptions& options) {
 
 namespace {
 
+constexpr double kRpm = "rpm"_per_si;
+
 /// The values over the speed; a line ends where there is none.
 template <class Value>
 Series over_speed(std::size_t style, const StribeckCurve& curve, const std::vector<Value>& values) {
   Series line{style};
-  for (std::size_t k = 0; k < values.size(); ++k) line.add(curve.speed[k] * "rpm"_per_si, values[k]);
+  for (std::size_t k = 0; k < values.size(); ++k) line.add(curve.speed[k] * kRpm, values[k]);
   return line;
 }
 

@@ -261,7 +261,7 @@ template <double PowerBySource::*source>
 std::string share(const LoadCaseResult& result) {
   const PowerBySource& power = result.slip->power;
   if (!(power.total() > 0.0)) return std::string(kAbsent);
-  return fixed(power.*source / power.total(), "%"_per_si, 2);
+  return fixed(power.*source / power.total(), "%", 2);
 }
 
 std::string hottest_cell(const LoadCaseResult& result) {

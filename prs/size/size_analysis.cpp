@@ -429,9 +429,10 @@ Figures curve(const SizeResult& r) {
     panel.series.push_back(std::move(line));
   }
   const auto points = [&](std::string title, const Style& style, auto belongs) {
+    constexpr double kKilonewton = "kN"_per_si;
     Series marks{figure.styles.size()};
     for (const SizeCurve::Required& point : c.required)
-      if (belongs(point)) marks.add(1e3 * point.speed, "kN"_per_si * point.force);
+      if (belongs(point)) marks.add(1e3 * point.speed, kKilonewton * point.force);
     if (marks.parts.empty()) return;
     figure.add(std::move(title), style);
     panel.series.push_back(std::move(marks));
