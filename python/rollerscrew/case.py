@@ -515,8 +515,8 @@ class Case(Analyses):
             )
         case = self if history is None else self._with_history(history, options)
         result = LifeResult._answer(case, "life")
-        own = case["life"] if history is not None and "operation.speed" in case else {"period": 0}
-        if "period" not in own and not {"time", "interval"} & set(own["history"]):
+        own = case["life"] if history is not None and "operation.speed" in case else None
+        if own and "period" not in own and not {"time", "interval"} & set(own["history"]):
             warnings.warn(
                 "history: got no time; hours are those of motion at operation.speed, "
                 f'{case["operation.speed"]}; give `time`, such as {{"time": (times, "s")}}, or the '

@@ -828,11 +828,11 @@ def _preload_rows(
             if isinstance(value, int | float):
                 values[row, k] = value
             elif result.converged:
-                reason = Reasons(case, "preload").of(path) or (
+                why = Reasons(case, "preload").of(path) or (
                     "expected a number of the document of `preload`, as "
                     '`case.responses("preload")` shows them'
                 )
-                raise InputError(f"responses[{k}]: got {path}; {reason}")
+                raise InputError(f"responses[{k}]: got {path}; {why}")
     name, text, before, folder, files = parts_of(case._case.source)
     origin = Origin(
         (name, text, (*before, *constants), folder, files), None, np.arange(count), columns

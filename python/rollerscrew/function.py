@@ -287,7 +287,7 @@ class Function:
                     each,
                     self.inputs,
                     self._responses,
-                    self.command,
+                    str(self.command),
                     lambda: self._case,
                     lambda *_: None,
                 )
