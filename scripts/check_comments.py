@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 
-BEGIN = re.compile(r"(What|Those|That|Of|As|It|They|Its|Who|Whose|Why|Where|The same)\b")
+BEGIN = re.compile(r"(What|Which|From|Those|That|Of|As|It|They|Its|Who|Whose|Why|Where|The same)\b")
 ANYWHERE = re.compile(r"\b(told|tells?|wherefore|asked for|stands? for|hasty)\b|^< With\b")
 COMMENT = re.compile(r"(?<!:)//[/!]?((?:<)? +.*)")
 

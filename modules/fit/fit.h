@@ -103,7 +103,7 @@ FitResult fit_case(const input::Source& source, const FitOptions& options = {});
 /// Place of a row: `torque, torque.csv:7`.
 std::string place_of(const FitInput& input, std::size_t curve, std::size_t row);
 
-/// File name of a curve's readings beside the fitted case.
+/// File name of a curve's readings in the folder of the fitted case.
 std::string name_of_copy(const FitInput& input, std::size_t curve);
 
 /// Text of the source with the fitted values, and above each its uncertainty.

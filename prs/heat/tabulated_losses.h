@@ -37,8 +37,8 @@ class LossTable {
     int evaluations = 0;  ///< No panel is halved beyond that many.
   };
   /// `by_rollers`: whether the losses depend on the parts' temperatures other than by the oils'.
-  /// What `rough`, nearly the same losses, leaves over takes fewer points. None where `at` has
-  /// none.
+  /// The difference from `rough`, a table of nearly the same losses, takes fewer points. Absent where
+  /// `at` has no losses.
   static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers, const Effort& effort,
                                        LossTable rough);
 
@@ -81,7 +81,7 @@ class LossTable {
                            int& evaluations) const;
   static const Panel& panel_at(const Layer& layer, const OfParts& coordinates);
 
-  std::vector<Layer> layers_;  ///< Which add up.
+  std::vector<Layer> layers_;  ///< Layers, whose values add up.
   double error_ = 0.0;
 };
 

@@ -292,7 +292,7 @@ auto sample_entry(const ListValue& list, Use use) {
   return result;
 }
 
-// From a member to its value --------------------------------------------------------------------
+// Values of members ----------------------------------------------------------------------------
 
 template <class T>
 inline constexpr bool is_optional = false;

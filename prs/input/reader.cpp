@@ -278,7 +278,7 @@ void read(const Written& w, const ChoiceValue& choice) {
   w.refuse(wanted(choice), hint);
 }
 
-/// Refuses a map that names two alternatives, or one beside the key that chooses.
+/// Refuses a map that names two alternatives, or one together with the key that chooses.
 bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
   const ChoiceNames names(under.choice);
   const Node* first = nullptr;

@@ -230,7 +230,7 @@ constexpr std::size_t kMostYangPanels = 6;
 constexpr std::size_t kMostBarCases = 6;
 constexpr std::size_t kMostLabelledCases = 3;  ///< Largest number of cases whose bars are thick enough for a number.
 
-constexpr double kPerMicrometrePerKilonewton = 1e9;  // From m/N.
+constexpr double kPerMicrometrePerKilonewton = 1e9;  // Factor from m/N.
 
 /// Name and compliance [m/N].
 using Compliance = std::pair<std::string, double>;

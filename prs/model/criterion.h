@@ -34,7 +34,7 @@ struct CriterionRow {
   std::string_view unit = {};   ///< Unit of value and limit; empty for ratios and fractions.
   Sense sense = Sense::least;   ///< Sense of the limit.
   std::optional<double> Limits::*limit = nullptr;  ///< Limit of the case; `life` has two.
-  double factor = 1.0;                             ///< From SI to the unit.
+  double factor = 1.0;                             ///< Factor from SI to the unit.
   double zero = 0.0;                               ///< Zero of the unit [K].
   bool is_plain = true;                            ///< Shown without a limit too.
   std::optional<double> physical = {}, recommended = {};
@@ -44,7 +44,7 @@ struct CriterionRow {
   LimitSource source = LimitSource::physics;  ///< Source of a standing that the analysis gives.
   bool of_preload = false;                    ///< Without a value where the preload cannot be had.
   bool of_drive = false;                      ///< Might be worse in a drive that could not be computed.
-  bool last_of_equal = false;                 ///< Which of several equal values is named.
+  bool last_of_equal = false;                 ///< Whether the last of several equal values is named.
 
   bool is_worse(double a, double b) const;
 };

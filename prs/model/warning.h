@@ -13,7 +13,7 @@ namespace prs {
 
 /// Possible but unusual property of a case or a result.
 struct Warning {
-  /// Which of two values of the same warning, in different load cases, is worse.
+  /// The worse of two values of the same warning in different load cases.
   enum class Worse { larger, smaller };
 
   std::string path;      ///< Key of the input concerned; may be empty.

@@ -31,7 +31,7 @@ namespace {
 
 constexpr std::size_t kLargestLivePage = 2'900'000;  ///< Size in bytes.
 
-/// Space beside the engine for the rest, and smaller amounts that are tried if the page is too large.
+/// Space for everything but the engine, and smaller amounts that are tried if the page is too large.
 constexpr ReportRoom kRoomsWithEngine[] = {{500'000, 300'000, 150'000}, {200'000, 150'000, 50'000}};
 
 std::string base64(std::string_view bytes) {

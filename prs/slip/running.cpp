@@ -112,7 +112,7 @@ class FixedPoint {
     head_share_ = disc_area(c.structure->roller.end_diameter) / volume;
   }
 
-  /// From the state at rest, which `loaded` has; its loads become those of the running screw.
+  /// Solves from the state at rest, which `loaded` has; its loads become those of the running screw.
   /// One equilibrium for each nut. `near`: the last slip ratio that was found. `turned`, where it is given: the answer
   /// to friction in these proportions to the normal loads; none where it must be followed step by step.
   std::vector<SlipEquilibrium> solve(Answer answer, const Bodies& bodies, const Turned& turned,

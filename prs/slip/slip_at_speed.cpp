@@ -64,7 +64,7 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
   const double speed = models.unloaded(at).speed;
   StribeckCurve curve;
   for (int k = 0; k <= kDecades * kPerDecade; ++k) {
-    // From a thousandth to ten times the speed.
+    // The speeds go from a thousandth to ten times the speed of the case.
     at.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
     const auto found = slip_at_speed(warm, result.contacts, models, loaded, at);
     if (!found) continue;

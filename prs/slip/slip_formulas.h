@@ -49,7 +49,7 @@ template <class Number>
 struct InterfaceForces {
   contact::Vector3<Number> force{};
   Number spin_torque{};
-  /// Moment along z of forces that act beside the interface's point, about that point [N m].
+  /// Moment along z, about the interface's point, of forces that do not act at that point [N m].
   Number couple = Number(simd::ValueOf<Number>(0.0));
 };
 

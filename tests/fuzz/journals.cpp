@@ -145,7 +145,7 @@ bool journals(std::string_view input) {
     expect_deliverable(rows);
     return true;
   } catch (const StudyFolderError&) {
-  } catch (const input::InputError&) {  // From the study that a header holds.
+  } catch (const input::InputError&) {  // The study that a header holds may be wrong.
   }
   return false;
 }

@@ -138,7 +138,7 @@ TEST(Rainflow, OfAClosedHistoryIsThatOfRychlik) {
     history.push_back(2000.0);
     const std::vector<double> points = peaks_and_valleys(history);
     Counts expected = counted_peak_by_peak(points);
-    // From the largest value to the smallest and back: two halves.
+    // Two halves: from the largest value to the smallest, and back.
     expected[2000.0 - *std::ranges::min_element(points)] += 1.0;
     EXPECT_EQ(counts_of(rainflow(history)), expected);
   }

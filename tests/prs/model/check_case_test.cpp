@@ -423,7 +423,7 @@ TEST(CheckCase, BothNutsOfAPreloadHoldTheirRollers) {
   Case c = two_nuts();
   EXPECT_EQ(paths(check_case(c)), "");
   EXPECT_EQ(paths(missing(c, Command::preload)), "");
-  // From the first nut's last contact to its end, over the spacer; the second may be anywhere.
+  // The distance from the first nut's last contact to its end, over the spacer; the second may be anywhere.
   const double span = 19 * axial_pitch(c.mechanism);
   const double least = 0.090 - 0.029 - span + 0.010;
   for (const double distance : {least, least + 0.090 - span}) {

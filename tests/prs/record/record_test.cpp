@@ -100,7 +100,7 @@ TEST(Record, DocumentHasWhatIsDefinedInTheUnitOfItsKey) {
   EXPECT_EQ(json.at("good"), true);
   EXPECT_EQ(json.at("count"), 3);
   EXPECT_EQ(json.at("text"), "a");
-  EXPECT_EQ(json.at("angle"), 0.5);  // From the record without a key.
+  EXPECT_EQ(json.at("angle"), 0.5);  // The record without a key has it.
 }
 
 TEST(Record, WhatIsNotFiniteOrGuardedIsAbsent) {

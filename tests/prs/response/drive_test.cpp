@@ -213,7 +213,7 @@ TEST(Drive, AScrewDraggedThroughASoftCouplingLetsGoWhereItsFrictionEnds) {
   }
   const auto first = std::ranges::find_if(r.omega, [](double w) { return w != 0.0; });
   EXPECT_NEAR(r.time[static_cast<std::size_t>(first - r.omega.begin())], lets_go, 2e-5);
-  // From then on W (1 - cos): friction has no peak above that of sliding.
+  // The friction is W (1 - cos) from then on, without a peak above that of sliding.
   const double w = std::sqrt(k / 3e-4), t = 3e-3 - lets_go;
   EXPECT_NEAR(r.omega[300], speed * (1.0 - std::cos(w * t)), 1e-5 * speed);
 }

@@ -68,7 +68,7 @@ TEST(Derivatives, OfTheLoadIsTheTangentStiffness) {
   EXPECT_LT(u.error, 1e-8 * u.value);
 }
 
-/// From the stiffness of the screw's end, also for a moment that is 0 in the file.
+/// Derivatives by a moment follow from the stiffness of the screw's end, also if the file has the moment as 0.
 TEST(Derivatives, OfAllRollersAreTheComplianceOfTheScrewsEnd) {
   SKIP_UNDER_SANITIZERS();
   const std::string text = input::abevi_with("{name: pull,", "{name: pull, moment: {y: 0 N m, z: 0 N m},") +

@@ -100,7 +100,7 @@ void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& comman
   for (; !enough() && studies < 100 + kills; ++studies) {
     const test::TemporaryDirectory folder;
     for (bool complete = false; !complete;) {
-      const std::uintmax_t done = test::bytes_in(folder.path());  // From earlier runs.
+      const std::uintmax_t done = test::bytes_in(folder.path());  // Bytes of earlier runs.
       const double rest = static_cast<double>(all_bytes - std::min(done, all_bytes));
       const double moment = enough() ? 2.0 : share(random);
       test::Process process(command(folder.path()));
