@@ -1,15 +1,12 @@
-# For cpack: libraries of modules are recommended, so that who wants a small installation can leave them out;
-# MPI, which is of use with several machines only, is suggested.
+# For cpack: libraries of modules are recommended, so that who wants a small installation can leave them out.
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()
 endif()
 file(GLOB modules ${CPACK_PRS_MODULES}/*.so)
-list(FILTER modules EXCLUDE REGEX "prs_mpi")
 file(WRITE ${CPACK_TOPLEVEL_DIRECTORY}/control/debian/control "Source: prs\n\nPackage: prs\nArchitecture: any\n")
 execute_process(WORKING_DIRECTORY ${CPACK_TOPLEVEL_DIRECTORY}/control OUTPUT_VARIABLE fields COMMAND_ERROR_IS_FATAL ANY
-  COMMAND dpkg-shlibdeps -O -dDepends ${CPACK_PRS_PROGRAMS} -dRecommends ${modules}
-    -dSuggests ${CPACK_PRS_MODULES}/prs_mpi.so)
-foreach(field IN ITEMS Depends Recommends Suggests)
+  COMMAND dpkg-shlibdeps -O -dDepends ${CPACK_PRS_PROGRAMS} -dRecommends ${modules})
+foreach(field IN ITEMS Depends Recommends)
   string(REGEX MATCH "shlibs:${field}=([^\n]*)" _ "${fields}")
   string(TOUPPER ${field} name)
   set(CPACK_DEBIAN_PACKAGE_${name} ${CMAKE_MATCH_1})

@@ -28,7 +28,6 @@ if(NOT PRS_FULL)
   return()
 endif()
 
-find_package(MPI QUIET COMPONENTS C)
 find_package(Pagmo QUIET)
 find_package(TBB QUIET)
 find_package(Ceres QUIET)
@@ -37,6 +36,9 @@ pkg_check_modules(RSVG QUIET IMPORTED_TARGET librsvg-2.0>=2.54)
 find_library(SUNDIALS_LIBRARY sundials_cvode)  # With its vectors and solvers.
 find_library(SUNDIALS_CORE sundials_core)      # Since version 7, which Debian builds with MPI.
 if(SUNDIALS_LIBRARY)
+  if(SUNDIALS_CORE)
+    find_package(MPI QUIET COMPONENTS C)
+  endif()
   add_library(SUNDIALS::cvode INTERFACE IMPORTED)
   target_link_libraries(SUNDIALS::cvode INTERFACE ${SUNDIALS_LIBRARY} $<$<BOOL:${SUNDIALS_CORE}>:${SUNDIALS_CORE}>
     $<$<BOOL:${SUNDIALS_CORE}>:$<TARGET_NAME_IF_EXISTS:MPI::MPI_C>>)

@@ -14,25 +14,6 @@
 namespace prs::cli {
 namespace {
 
-/// Arguments that all ranks must have in common.
-std::string arguments(const Options& options) {
-  return nlohmann::json{options.file, options.overrides, options.output ? options.output->string() : "",
-                        options.threads}
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-/// Work of a rank other than the first: it prints nothing and computes its share.
-int assist(Ranks& ranks, const input::Source& source, std::size_t threads) {
-  try {
-    const input::StudyInput in = input::read_study_input(source);
-    const DesignEngine engine = study_engine(in);
-    ranks.assist(evaluate_with(engine), threads);
-  } catch (const input::InputError&) {
-    // The first rank finds the same error and reports it.
-  }
-  return kDone;
-}
-
 bool is_full_disk(const std::error_code& code) {
   return code == std::errc::no_space_on_device || code == std::errc::file_too_large ||
          (code.category() == std::generic_category() && code.value() == EDQUOT);
@@ -109,7 +90,7 @@ int report_interrupted_study(const StudyProgress& progress, const Options& optio
   return Interruption::status();
 }
 
-int compute(Ranks& ranks, const input::Source& source, std::size_t threads, const Options& options) {
+int compute(const input::Source& source, std::size_t threads, const Options& options) {
   const input::StudyInput in = input::read_study_input(source);
   std::optional<StudyFolder> folder;
   const auto open_folder = [&] {
@@ -127,11 +108,8 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads, cons
   const JournalHeader header{key_of(in, in.study.command), source, study.responses, design_count(study),
                              options.shard.value_or(Shard{})};
 
-  const RunDesigns run_here = [&](const NextRange& next, const TakeRecord& take) {
-    run_schedule(threads, engine.chunk(), next, evaluate_with(engine, Interruption::asked), take);
-  };
   const RunDesigns run = [&](const NextRange& next, const TakeRecord& take) {
-    ranks.lead(next, take, engine.chunk(), run_here);
+    run_schedule(threads, engine.chunk(), next, evaluate_with(engine, Interruption::asked), take);
   };
   ProgressLine line(options.quiet);
   StudyProgress progress;
@@ -202,20 +180,10 @@ int report_interruption(const Options& options) {
 int study(const Options& options) {
   if (options.shard && !options.output)
     throw UsageError("--shard is given alone; expected --output DIR with it, where its part is kept");
-  Ranks ranks(!options.shard);
-  if (!ranks.agree(arguments(options))) {
-    if (ranks.is_first())
-      say("prs: error: the ranks of one MPI job were started with different arguments; give all of "
-          "them the same, or use --shard i/n\n");
-    return ranks.is_first() ? kWrongInput : kDone;
-  }
-  const std::size_t threads = options.threads > 0 ? options.threads : ranks.threads();
-  const std::optional<std::string> text = ranks.share([&] { return case_source(options).text; });
-  if (!text) return kDone;
-  const input::Source source{case_name(options), *text, options.overrides};
-  if (!ranks.is_first()) return assist(ranks, source, threads);
+  const std::size_t threads = options.threads > 0 ? options.threads : default_threads();
+  const input::Source source = case_source(options);
   try {
-    return compute(ranks, source, threads, options);
+    return compute(source, threads, options);
   } catch (const std::system_error& error) {
     if (!options.output || !is_full_disk(error.code())) throw;
     say(

@@ -93,42 +93,4 @@ struct NetcdfModule : modules::Module {
   std::unique_ptr<ColumnFile> (*create)(const std::filesystem::path& path, const std::filesystem::path& name);
 };
 
-/// Processes started together by an MPI launcher, numbered from 0. Only one thread of each uses it, except for `abort`.
-/// The destructor waits for those of all others.
-class Communicator {
- public:
-  struct Message {
-    int rank = 0;  ///< Rank of the sender.
-    int tag = 0;
-    std::string content;
-  };
-
-  Communicator() = default;
-  virtual ~Communicator() = default;
-  Communicator(const Communicator&) = delete;
-  Communicator& operator=(const Communicator&) = delete;
-
-  virtual int rank() const = 0;
-  virtual int size() const = 0;
-  /// Number of processors for each process of this machine. At least 1.
-  virtual int processors_each() = 0;
-
-  virtual void send(int rank, int tag, std::string_view content) = 0;
-  /// A message that has arrived and was not received yet. Does not wait.
-  virtual std::optional<Message> receive() = 0;
-
-  /// Collective calls, for every process. The first sends the text of rank 0, if any, to all; the second returns
-  /// whether a condition holds on all.
-  virtual void broadcast(std::optional<std::string>& text) = 0;
-  virtual bool all(bool own) = 0;
-
-  /// Ends all processes.
-  virtual void abort() = 0;
-};
-
-struct MpiModule : modules::Module {
-  static constexpr modules::Name kName{"prs_mpi.so", "MPI", "libopenmpi-dev", ", or compute parts by --shard i/n"};
-  std::unique_ptr<Communicator> (*join)();
-};
-
 }  // namespace prs

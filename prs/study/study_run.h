@@ -90,7 +90,7 @@ class StudyFolder {
   FolderLock lock_;
 };
 
-/// Evaluates designs until `next` has none left: `run_schedule` here, or on several ranks.
+/// Evaluates designs until `next` has none left, as `run_schedule` does.
 using RunDesigns = std::function<void(const NextRange& next, const TakeRecord& take)>;
 
 /// Progress of a run. `found` designs had been computed before it began.
@@ -117,50 +117,5 @@ StoredRows run_study(const JournalHeader& header, const StudyFolder* folder, con
 /// Rows in the journals of the folders. Throws StudyFolderError if there are none, if they are of different studies,
 /// and if designs are missing, which it then names.
 StoredRows gather_rows(const std::vector<std::filesystem::path>& folders);
-
-/// The processes that an MPI launcher (`mpirun`, `srun`) started together. Without a launcher, or with a single
-/// process, the first rank is alone; without a launcher MPI is not even loaded.
-///
-/// The first rank distributes designs and receives all rows, so that neither results nor files depend on the number of
-/// ranks and only it needs the disk; it evaluates designs too. The others request more whenever they deliver. A rank
-/// that dies ends the job, as launchers do.
-class Ranks {
- public:
-  /// `join` false: alone in any case. Throws modules::Missing if a launcher started several processes and this build
-  /// has no MPI.
-  explicit Ranks(bool join);
-  /// The first rank ends the work of the others; all ranks wait for each other.
-  ~Ranks();
-  Ranks(const Ranks&) = delete;
-  Ranks& operator=(const Ranks&) = delete;
-
-  int size() const { return size_; }
-  bool is_first() const { return rank_ == 0; }
-
-  /// Number of threads of each rank: the processors that the ranks of this machine may use, in equal parts.
-  std::size_t threads() const;
-
-  /// Whether all ranks have the same text. Every rank must call it.
-  bool agree(const std::string& text) const;
-
-  /// Result of `make` on the first rank, on all ranks. Every rank must call it. If `make` throws, the others get none.
-  std::optional<std::string> share(const std::function<std::string()>& make) const;
-
-  /// First rank: calls `run` here, while the other ranks do their part of it.
-  void lead(const NextRange& next, const TakeRecord& take, std::size_t chunk, const RunDesigns& run);
-
-  /// Other ranks: evaluates designs from the first rank, on `threads` threads, until that ends the work. A rank that
-  /// does not call it takes no part.
-  void assist(const Evaluate& evaluate, std::size_t threads);
-
- private:
-  /// Answers the other ranks with designs of `next` until all have finished.
-  void serve(const NextRange& next, const TakeRecord& take, std::size_t chunk);
-
-  std::unique_ptr<Communicator> communicator_;  ///< Null without a launcher.
-  int rank_ = 0;
-  int size_ = 1;
-  bool served_ = false;  ///< First rank: whether the others are done; others: whether they have contacted it.
-};
 
 }  // namespace prs

@@ -614,30 +614,3 @@ def test_scarce_memory_ends_with_a_message(bench: Bench, name: str) -> None:
         assert run.returncode != 1 or "error: " in run.stderr, run.stderr
 
 
-# Ranks
-
-
-@pytest.mark.parametrize("call", ["write", "rename", "read"])
-@pytest.mark.parametrize("rank", [0, 1])
-def test_a_killed_rank_loses_nothing(bench: Bench, rank: int, call: str) -> None:
-    if not tracing() or not shutil.which("mpirun"):
-        pytest.skip("no strace or no mpirun")
-    if not THOROUGH and (rank, call) != (0, "rename"):
-        pytest.skip("one of them, unless thorough")
-    drawn = random.Random(f"{rank} {call}")
-    for _ in range(10 if THOROUGH else 1):
-        out = bench.output()
-        when = drawn.randint(1, 4 if call == "rename" else 60)
-        script = (
-            f"if [ $OMPI_COMM_WORLD_RANK = {rank} ]; then exec strace -f -o /dev/null "
-            f'-e trace={call} -e inject={call}:signal=KILL:when={when} "$@"; else exec "$@"; fi'
-        )
-        mpirun = ("mpirun", "--oversubscribe", "--allow-run-as-root", "-n")
-        bench.run("study", out, *mpirun, "3", "sh", "-c", script, "sh")
-        again = bench.run("study", out, *mpirun, "2")
-        assert again.returncode == 0, again.stderr
-        assert list(out.rglob("*.tmp")) == []
-        ours, alone = contents(out), bench.undisturbed("study")
-        assert {path: ours[path] for path in alone if path != FILE_LIST} == {
-            path: content for path, content in alone.items() if path != FILE_LIST
-        }

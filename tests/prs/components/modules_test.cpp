@@ -76,11 +76,6 @@ TEST_F(WithoutModules, WhatCannotDoWithoutThemSaysSo) {
   EXPECT_EQ(threads.err,
             "prs: error: this needs TBB, and prs_tbb.so is not next to the program; install "
             "libtbb-dev and build prs again, or take --threads 1\n");
-  const test::Outcome ranks = study("", "OMPI_COMM_WORLD_SIZE=2");
-  EXPECT_EQ(ranks.status, 1);
-  EXPECT_EQ(ranks.err,
-            "prs: error: this needs MPI, and prs_mpi.so is not next to the program; install "
-            "libopenmpi-dev and build prs again, or compute parts by --shard i/n\n");
   const test::Outcome optimum = run("optimize configs/23_crowning.yaml --threads 1 --quiet");
   EXPECT_EQ(optimum.status, 1);
   EXPECT_EQ(optimum.err,
@@ -127,7 +122,7 @@ std::string libraries(const std::string& arguments) {
 TEST(Modules, AreLoadedByRunsThatNeedThemOnly) {
   const std::string loaded = libraries("solve configs/01_config_1_to_3.yaml");
   EXPECT_THAT(loaded, HasSubstr("libstdc++"));
-  for (const char* name : {"libmpi", "libnetcdf", "libhdf5", "libpagmo", "libceres", "libtbb", "libboost"})
+  for (const char* name : {"libnetcdf", "libhdf5", "libpagmo", "libceres", "libtbb", "libboost"})
     EXPECT_THAT(loaded, Not(HasSubstr(name)));
 }
 
