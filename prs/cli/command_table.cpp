@@ -406,12 +406,22 @@ void add_help(Program& program) {
   add_json(command, program.options);
 }
 
+/// How to cite the program, as in CITATION.cff.
+std::string citation() {
+  return fmt::format(
+      "@software{{prs,\n  author  = {{{{the prs authors}}}},\n  title   = {{prs: planetary roller screws, "
+      "calculated}},\n  version = {{{}}},\n  year    = {{2026}}\n}}",
+      kVersion);
+}
+
 }  // namespace
 
 void add_commands(Program& program) {
   CLI::App& app = program.app;
   app.set_help_flag("-h,--help", "Print this help");
-  app.set_version_flag("-V,--version", kVersion, "Print the version");
+  CLI::Option* cite = app.add_flag("--cite", "With --version: print how to cite this version, as BibTeX");
+  const auto version = [cite] { return cite->count() > 0 ? citation() : kVersion; };
+  cite->needs(app.set_version_flag("-V,--version", version, "Print the version"));
   app.require_subcommand(1);
   add_own(program, kStart);
   add_case_commands(program);
