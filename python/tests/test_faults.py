@@ -612,5 +612,3 @@ def test_scarce_memory_ends_with_a_message(bench: Bench, name: str) -> None:
         run = run_prs(bench.folder, *words, before=limit)
         assert run.returncode in (0, 1, 127), (more, run.returncode, run.stderr)
         assert run.returncode != 1 or "error: " in run.stderr, run.stderr
-
-
