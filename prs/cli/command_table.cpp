@@ -419,7 +419,8 @@ std::string citation() {
 void add_commands(Program& program) {
   CLI::App& app = program.app;
   app.set_help_flag("-h,--help", "Print this help");
-  CLI::Option* cite = app.add_flag("--cite", "With --version: print how to cite this version, as BibTeX");
+  const std::string about_citation = "With --version: print how to cite this version, as BibTeX";
+  CLI::Option* cite = app.add_flag("--cite", about_citation);
   const auto version = [cite] { return cite->count() > 0 ? citation() : kVersion; };
   cite->needs(app.set_version_flag("-V,--version", version, "Print the version"));
   app.require_subcommand(1);
