@@ -432,8 +432,8 @@ bool has_several_threads(const Result& r) {
 /// Pictures with titles that name the loads of the figures if the screw runs.
 Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
   const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
-  if (std::ranges::none_of(r.load_cases, runs)) return pictures;
-  const char* loads = std::ranges::all_of(r.load_cases, runs) ? ", running loads" : ", static and running loads";
+  const bool some = std::ranges::any_of(r.load_cases, runs), all = std::ranges::all_of(r.load_cases, runs);
+  const char* loads = !some ? ", at rest" : all ? ", running" : ", at rest and running";
   for (Picture& picture : pictures)
     picture.make = [make = std::move(picture.make), loads](const FigureOptions& options) {
       Figures figures = make(options);

@@ -31,7 +31,7 @@ Figures thread_power(const Result& result, const FigureOptions& options) {
                                  result, one));
 }
 
-/// Friction coefficient and sliding speed of each thread, a panel each.
+/// Friction coefficient of each thread and sliding speed at the centre of its contact, a panel each.
 Figures friction(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_thread_slip);
   if (!shown) return {};
@@ -44,7 +44,7 @@ Figures friction(const Result& result, const FigureOptions& options) {
     double factor;
   };
   constexpr Shown kShown[] = {{"Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0},
-                              {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, "mm"_per_si}};
+                              {"Sliding speed at the centre", "mm/s", &InterfaceSlip::sliding_speed, "mm"_per_si}};
   for (std::size_t k = 0; k < std::size(kInterfaces); ++k) figure.add(interface_title(kInterfaces[k]), marked_line(k));
   for (const Shown& s : kShown) {
     Panel& panel = figure.panels.emplace_back(Panel{s.title});

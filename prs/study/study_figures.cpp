@@ -235,10 +235,15 @@ Figure kind_of_figure(const StudyResult& result, std::size_t response, std::stri
   return figure;
 }
 
+/// Text for titles: how well the linear surface fits, and to how many designs.
+std::string quality_of_fit(const StudyResult& result, std::size_t response, const LinearFit& fit) {
+  return fmt::format(": linear surface, R² = {:.4f}, n = {}", fit.r_squared, result.summary.statistics[response].count);
+}
+
 /// Yao et al. 2023, figs. 8, 9.
 Figure surface_figure(const StudyResult& result, std::size_t response, const LinearFit& fit) {
   Figure figure = kind_of_figure(result, response, "contributions");
-  figure.title += fmt::format(": linear surface, R² = {:.4f}", fit.r_squared);
+  figure.title += quality_of_fit(result, response, fit);
   figure.x = {"Contribution |b| / sum of |b|, with the sign of b", "%"};
   std::vector<std::string> names;
   std::vector<double> values;
@@ -329,6 +334,7 @@ Polyline line_of_fit(const FactorEffect& effect, double intercept, const Normali
 Figure cloud_figure(const StudyResult& result, std::size_t response, const LinearFit& fit, std::size_t most) {
   const std::vector<NormalisedFactor> normalised = normalised_factors(result.study);
   Figure figure = kind_of_figure(result, response, "designs");
+  figure.title += quality_of_fit(result, response, fit);
   const std::size_t dots = figure.add("designs", points_of(Colour::sky, Mark::circle, Weight::thin));
   const std::size_t line = figure.add("linear surface, others in the middle", line_of(Colour::vermillion));
   const std::size_t panels = std::min(fit.effects.size(), most);
