@@ -68,6 +68,9 @@ _TRAVEL_VECTORS = {
     "nut_moment_Nm": ("nut_reaction", "moment_Nm", "yz"),
 }
 
+#: What tells load cases apart: `loads` says `static`, of a screw at rest, or `running`.
+_OF_CASE: Kinds = {"case": str, "axial_force_N": float, "loads": str}
+
 #: Load cases by their places or names: one, or several.
 Which = int | str | Iterable[int | str]
 
@@ -188,7 +191,7 @@ class LoadCasesResult(Result):
         return [self._place(each) for each in chosen]
 
     def load_cases_frame(self) -> pd.DataFrame:
-        """Force, status, displacement and stiffness, one row per load case."""
+        """Force, `loads` (static or running), displacement and stiffness, one row per load case."""
         kinds = {
             "case" if name == "name" else name: kind
             for name, kind in kinds_of(LoadCase).items()
@@ -208,16 +211,16 @@ class LoadCasesResult(Result):
         """What a record of load cases holds, a row each; of one that failed its status."""
         rows = []
         for case in self._load_cases:
-            row = {"case": case.name, "axial_force_N": case.axial_force_N}
+            row = {"case": case.name, "axial_force_N": case.axial_force_N, "loads": case.loads}
             failed = {} if case.converged else {"converged": False, "status": case.status}
             rows.append(row | (dict(flat(case[key])) if key in case else failed))
-        told: Kinds = {"case": str, "axial_force_N": float}
-        return frame_of(rows, {**told, **kinds_of(kind)})
+        return frame_of(rows, {**_OF_CASE, **kinds_of(kind)})
 
     def threads_frame(self) -> pd.DataFrame:
         """Loads, ellipses and pressures, one row per load case, interface and thread.
 
-        None of a load case that did not converge, see `load_cases_frame`.
+        The column `loads` says `static`, at rest, or `running`, with the friction of a screw that
+        turns. None of a load case that did not converge, see `load_cases_frame`.
         """
         return self._by_case(((case, case) for case in self._load_cases), InterfaceLoads)
 
@@ -266,7 +269,7 @@ class LoadCasesResult(Result):
         """The threads of records of load cases, with what tells these apart."""
         told: Kinds = {
             "case": str, "axial_force_N": float, "direction": str, "position_mm": float,
-            "interface": str,
+            "loads": str, "interface": str,
         }  # fmt: skip
         parts = (
             (
@@ -275,6 +278,7 @@ class LoadCasesResult(Result):
                     "axial_force_N": case.get("axial_force_N", np.nan),
                     "direction": case.get("direction", ""),
                     "position_mm": case.get("position_mm", np.nan),
+                    "loads": case.get("loads", ""),
                     "interface": interface,
                 },
                 record[interface],
@@ -384,8 +388,7 @@ class SlipViews(SolveViews):
         Without a block `heat` there are no rows.
         """
         if not any("heat" in case for case in self._load_cases):
-            told: Kinds = {"case": str, "axial_force_N": float}
-            return frame_of([], {**told, **kinds_of(Heat)})
+            return frame_of([], {**_OF_CASE, **kinds_of(Heat)})
         return self._frame_of("heat", Heat)
 
     def heat_cycle_frame(self) -> pd.DataFrame:
@@ -422,7 +425,7 @@ class SlipViews(SolveViews):
     def plot_friction(
         self, load_case: int | str | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
-        """Friction coefficient and sliding speed of each thread."""
+        """Friction coefficient of each thread, and sliding speed at the centre of its contact."""
         return self.plot_figure("friction", ax, **look, load_case=self._one(load_case))
 
     def plot_stribeck(
@@ -786,7 +789,7 @@ class StudyViews(Result):
         if self._designs is None:
             if self._rows is not None and self._study is not None:
                 source = self._case._case.source
-                designs = study_designs(source, self._study, self._rows)
+                designs = study_designs(source, self._study, self._rows, self.study.command)
             else:
                 designs = _designs_of_document(self)
             object.__setattr__(self, "_designs", designs)
