@@ -78,7 +78,7 @@ class Origin:
 
     case: SourceParts
     study: SourceParts | None
-    rows: npt.NDArray[Any]  #: Numbers of designs of a study, or what each design sets, a row each.
+    rows: npt.NDArray[Any]  #: Numbers of designs of a study, or one row of settings per design.
     columns: Mapping[str, _Column] | None = None  #: Without a study: what the rows set.
     command: str = ""  #: That answers them; of several commands their names.
 
@@ -95,7 +95,7 @@ class Origin:
 
 @dataclass(frozen=True, eq=False)
 class Designs:
-    """Answers of many designs, a row each, in the order in which they were asked for.
+    """Answers of many designs, one row each, in the order in which they were asked for.
 
     `designs["axial_stiffness_N_per_um"]` is the array of a response or of a column of `inputs`,
     `designs[mask]` the designs that a mask, a slice or places choose, `designs.case(i)` the case of
@@ -423,7 +423,7 @@ def study_designs(
 
 
 def study_inputs(study: _engine.Study) -> pd.DataFrame:
-    """What the designs of a study set, a row each."""
+    """What the designs of a study set, one row per design."""
     import pandas as pd
 
     columns: dict[str, Any] = {}

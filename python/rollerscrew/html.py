@@ -117,7 +117,7 @@ def result_html(result: Result) -> str:
 
 
 def record_html(record: Record) -> str:
-    """The numbers and words of a record, a row each; of a load case its headlines and picture."""
+    """The numbers and words of a record, one row each; of a load case its headlines and picture."""
     if type(record).__name__ == "LoadCase":
         warnings = _warnings(record.get("warnings", []))
         table = _table([(str(record["name"]), _headlines(record))])

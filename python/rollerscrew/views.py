@@ -145,7 +145,7 @@ class CheckViews(Result):
     input: list[InputValue]
 
     def to_frame(self) -> pd.DataFrame:
-        """Path, value, whether it is a default, and what the value rests on, a row each."""
+        """Path, value, whether it is a default, and what the value rests on, one row per input."""
         return frame_of([value.to_dict() for value in self.input], kinds_of(InputValue))
 
     def plot_contact_points(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
@@ -208,7 +208,7 @@ class LoadCasesResult(Result):
         return frame_of(rows, kinds)
 
     def _frame_of(self, key: str, kind: type[Record]) -> pd.DataFrame:
-        """What a record of load cases holds, a row each; of one that failed its status."""
+        """What a record of load cases holds, one row per load case; of one that failed its status."""
         rows = []
         for case in self._load_cases:
             row = {"case": case.name, "axial_force_N": case.axial_force_N, "loads": case.loads}
@@ -296,7 +296,7 @@ class ContactViews(LoadCasesResult):
     __slots__ = ()
 
     def to_frame(self) -> pd.DataFrame:
-        """Contact quantities, one column per interface; of pairs and vectors a row each number."""
+        """Contact quantities, one column per interface; pairs and vectors have one row per number."""
         import pandas as pd
 
         return pd.DataFrame({name: _numbers(self["contact"][name]) for name in INTERFACES})
@@ -419,7 +419,7 @@ class SlipViews(SolveViews):
     def plot_power_by_source(
         self, load_cases: Which | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
-        """Where the power goes, a bar a load case."""
+        """Where the power goes, one bar per load case."""
         return self.plot_figure("power_by_source", ax, **look, load_cases=self._places(load_cases))
 
     def plot_friction(
@@ -514,7 +514,7 @@ class CompareViews(Result):
     references: list[ComparedReference] | None
 
     def references_frame(self) -> pd.DataFrame:
-        """Deviations of each model from each reference, a row each."""
+        """Deviations of each model from each reference, one row each."""
         import pandas as pd
 
         own = ("name", "load_case", "response", "unit")
@@ -528,7 +528,7 @@ class CompareViews(Result):
         return pd.DataFrame(rows) if rows else pd.DataFrame(columns=[*own, "model", "met"])
 
     def plot_references(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
-        """References as points and models as lines, a panel per load case and response."""
+        """References as points and models as lines, one panel per load case and response."""
         return self.plot_figure("references", ax, **look)
 
     def to_frame(self) -> pd.DataFrame:
@@ -574,7 +574,7 @@ class ResponseViews(Result):
     response: Response
 
     def to_frame(self) -> pd.DataFrame:
-        """One row per sample, a column per series under its key."""
+        """One row per sample, one column per series under its key."""
         series = {k: v for k, v in self.response.items() if isinstance(v, np.ndarray)}
         rows = [dict(zip(series, row, strict=True)) for row in zip(*series.values(), strict=True)]
         return frame_of(rows, dict.fromkeys(series, float))
@@ -599,7 +599,7 @@ class ResponseViews(Result):
 def _fit_note(one: FittedParameter) -> str:
     """What an interval says of a value that counts as identified."""
     if not one.identified:
-        return "not identified: the data do not tell it"
+        return "not identified: the data do not determine it"
     if one.at_bound:
         return f"ends at its bound `{one.at_bound}`"
     if one.low is None or one.high is None:
@@ -626,7 +626,7 @@ class FitViews(Result):
         return frame_of([dict(flat(one)) for one in self.fit.parameters], {"name": str})
 
     def to_frame(self) -> pd.DataFrame:
-        """`parameters_frame` with a `note` where the data hardly tell a value."""
+        """`parameters_frame` with a `note` where the data hardly determine a value."""
         return self.parameters_frame().assign(note=[*map(_fit_note, self.fit.parameters)])
 
     def __repr__(self) -> str:
@@ -701,7 +701,7 @@ class LifeViews(Result):
         return _threads_frame(self._interfaces(), self._told, InterfaceLife)
 
     def rollers_frame(self) -> pd.DataFrame:
-        """The threads of all rollers of a full mechanism, a row each; empty of one sector."""
+        """The threads of all rollers of a full mechanism, one row each; empty for a sector."""
         parts = [
             (names, each["rollers"]) for names, each in self._interfaces() if "rollers" in each
         ]
@@ -846,7 +846,7 @@ class StudyViews(Result):
     def plot(
         self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
-        """A response over the numeric factor with most values, a line each value of the others."""
+        """A response over the numeric factor with most values, one line per value of the others."""
         return self.plot_figure("lines", ax, **look, response=response)
 
     def plot_map(
