@@ -120,11 +120,11 @@ Figures frequency(const ResponseResult& r) {
   };
   if (f.of_torque) {
     panel("Motor speed over motor torque", {"Speed over torque", "rad/s/(N m)"}, f.motor_speed, 1.0, true);
-    panel("Phase of the motor speed", {"Phase", "deg"}, f.motor_speed_phase, "deg"_per_si, false);
+    panel("Phase of the motor speed", {"Phase", "°"}, f.motor_speed_phase, "deg"_per_si, false);
     panel("Position over motor torque", {"Position over torque", "µm/(N m)"}, f.position, "µm"_per_si, true);
   } else {
     panel("Compliance at the load", {"Compliance", "µm/N"}, f.compliance, "µm"_per_si, true);
-    panel("Phase of the compliance", {"Phase", "deg"}, f.phase, "deg"_per_si, false);
+    panel("Phase of the compliance", {"Phase", "°"}, f.phase, "deg"_per_si, false);
   }
   return {std::move(figure)};
 }

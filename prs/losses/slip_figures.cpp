@@ -188,8 +188,8 @@ Figure patch_figure(std::string name, const LoadCaseResult& result, const PerInt
     figure.panels.push_back(patch_panel(result, fields[i], i, thread));
     half = std::max(half, 1.2 * fields[i].semi_major * "mm"_per_si);
   }
-  figure.x = {"along the major axis", "mm", -half, half};
-  figure.y = {"along the minor axis", "mm", -half, half};
+  figure.x = {"Along the major axis", "mm", -half, half};
+  figure.y = {"Along the minor axis", "mm", -half, half};
   return figure;
 }
 

@@ -14,10 +14,12 @@ constexpr std::size_t kMostOfName = 36;
 constexpr std::size_t kMostWholeTicks = 13;
 constexpr double kLargestWholeTick = 9999.0;
 
-/// `µm` for `um`, in whatever stands with it.
+/// `µm` for `um`, in whatever stands with it, and other signs.
 std::string shown_unit(const std::string& unit) {
+  constexpr std::pair<std::string_view, const char*> kSigns[] = {{"um", "µm"}, {"deg", "°"}, {"^2", "²"}, {"^3", "³"}};
   std::string shown = printable(unit);
-  if (const std::size_t at = shown.find("um"); at != std::string::npos) shown.replace(at, 2, "µm");
+  for (const auto& [word, sign] : kSigns)
+    if (const std::size_t at = shown.find(word); at != std::string::npos) shown.replace(at, word.size(), sign);
   return shown;
 }
 
