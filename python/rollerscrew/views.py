@@ -208,7 +208,7 @@ class LoadCasesResult(Result):
         return frame_of(rows, kinds)
 
     def _frame_of(self, key: str, kind: type[Record]) -> pd.DataFrame:
-        """What a record of load cases holds, one row per load case; of one that failed its status."""
+        """Values of a record, one row per load case; of one that failed its status."""
         rows = []
         for case in self._load_cases:
             row = {"case": case.name, "axial_force_N": case.axial_force_N, "loads": case.loads}
@@ -296,7 +296,7 @@ class ContactViews(LoadCasesResult):
     __slots__ = ()
 
     def to_frame(self) -> pd.DataFrame:
-        """Contact quantities, one column per interface; pairs and vectors have one row per number."""
+        """Contact quantities, one column per interface; a vector has one row per number."""
         import pandas as pd
 
         return pd.DataFrame({name: _numbers(self["contact"][name]) for name in INTERFACES})

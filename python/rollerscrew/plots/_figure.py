@@ -18,7 +18,7 @@ STYLE = Path(__file__).with_name("paper.mplstyle")
 #: Widths of a figure, mm, by the columns of its panels: one column of a paper, one and a half, two.
 _WIDTHS_MM = {1: 88.0, 2: 136.0}
 _WIDEST_MM = 180.0
-_LEAST_PANEL_MM = 45.0  #: Narrower panels of a figure of given width stand below each other.
+_LEAST_PANEL_MM = (40.0, 60.0)  #: Panels with less stand below each other; with own axes or bars.
 _WIDTH_LIMITS_MM = (40.0, 500.0)
 _ASPECT = 0.64
 _ASPECT_IN_SPACE = 0.85
@@ -40,7 +40,8 @@ def of_width(
     least, most = _WIDTH_LIMITS_MM
     if not least <= width <= most:
         raise ValueError(f"width: got {width}; expected {least:g} to {most:g}, in mm")
-    columns = max(1, min(_columns(description), int(width / _LEAST_PANEL_MM)))
+    alone = "colours" in description or any("y" in panel for panel in description["panels"])
+    columns = max(1, min(_columns(description), int(width / _LEAST_PANEL_MM[alone])))
     return {**description, "columns": columns, "width_mm": float(width)}
 
 
@@ -103,15 +104,13 @@ def _inches(description: Mapping[str, Any]) -> tuple[float, float]:
     width = description.get("width_mm") or _WIDTHS_MM.get(max(columns, 1 + wide), _WIDEST_MM)
     labelled = columns if any("y" in panel for panel in description["panels"]) else 1
     room = width - labelled * _LABELS_MM[0] - (1.2 * beside if beside > 4 else 0.0)
-    if "colours" in description:
-        room -= _BAR_MM
-    if stands_beside(description):
-        room -= 40.0
+    room -= _BAR_MM * ("colours" in description) + 40.0 * stands_beside(description)
     panel = room / (columns - 1 + float(description.get("overview") or 1.0))
     labelled = rows if any("x" in panel for panel in description["panels"]) else 1
     titled = any(panel.get("title") for panel in description["panels"])
-    height = rows * (panel * panel_aspect(description) + (_TITLE_MM if titled else 0.0) + 2.0)
-    return width / 25.4, (height + labelled * _LABELS_MM[1]) / 25.4
+    lines = 2 if panel < _LEAST_PANEL_MM[0] else 1  # Of titles, which are as long in narrow panels.
+    height = rows * (panel * panel_aspect(description) + lines * _TITLE_MM * titled + 2.0)
+    return width / 25.4, (height + lines * labelled * _LABELS_MM[1]) / 25.4
 
 
 def _axes(figure: Any, description: Mapping[str, Any]) -> list[Axes]:
