@@ -454,7 +454,7 @@ Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
       {"stiffness", kRange, of_result(r, stiffness)},
       {"butterfly", "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged",
        [&r, butterflies_of_load](const FigureOptions& options) {
-         return in_kilonewtons(butterfly(r, butterflies_of_load, options));
+         return in_shown_units(butterfly(r, butterflies_of_load, options));
        }}};
   std::ranges::move(roller_pictures(r), std::back_inserter(all));
   std::ranges::move(motion_pictures(r), std::back_inserter(all));

@@ -165,7 +165,7 @@ Figures optimization_history(const OptimizationResult& result) {
   for (const Objective& objective : optimization.objectives)
     if (figure.panels.size() < kMostPanels) figure.panels.push_back(history_panel(result, objective));
   figure.aspect = 0.3;
-  return {with_true_legend(std::move(figure))};
+  return {std::move(figure)};
 }
 
 /// The designs and the fronts of both searches, a panel for each pair of objectives, with the
@@ -193,7 +193,7 @@ Figures pareto_front(const OptimizationResult& result) {
         if (auto large = enlarged_front(result, figure.panels.back(), x, y)) figure.panels.push_back(std::move(*large));
       }
   figure.columns = std::min<std::size_t>(figure.panels.size(), 2);
-  return {with_true_legend(std::move(figure))};
+  return {std::move(figure)};
 }
 
 Figures optimization_history(const OptimizationResult& result);

@@ -547,7 +547,7 @@ void drop_empty_entries(Figure& figure) {
 
 }  // namespace
 
-Figures in_kilonewtons(Figures figures) {
+Figures in_shown_units(Figures figures) {
   for (Figure& figure : figures) {
     figure = in_unit(in_unit(std::move(figure), {"N", "kN", 1e-3, 1e3}), {"MPa", "GPa"});
     drop_empty_entries(figure);

@@ -119,9 +119,10 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 
 std::size_t columns_for(std::size_t panels) { return panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3; }
 
-Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values) {
-  Series grows{figure.add("grows with the factor", area_of(Colour::blue))};
-  Series falls{figure.add("falls", area_of(Colour::vermillion))};
+Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values,
+                   const std::array<const char*, 2>& titles) {
+  Series grows{figure.add(titles[0], area_of(Colour::blue))};
+  Series falls{figure.add(titles[1], area_of(Colour::vermillion))};
   Panel panel;
   Range range{0.0, 0.0};
   for (const double value : values) range.include(value);
