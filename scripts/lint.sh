@@ -20,6 +20,7 @@ check namespaces bash -c '! git grep -nE "^[>,]" -- "*.h" "*.cpp"'
 check comments scripts/check_comments.py
 # How many there are of what grows: a list says it, a number in a text ages.
 check counts bash -c '! git grep -niE "\b([0-9]{2,}|eleven|twelve|[a-z]+teen|[a-z]+ty(-[a-z]+)?) (numbered )?(lessons|commands|notebooks)\b" -- "*.md" "*.ipynb" "*.py"'
+check numbers scripts/check_numbers.py
 check format xargs -a <(git ls-files '*.h' '*.cpp') -P "$(nproc)" -n 50 clang-format --dry-run --Werror
 check ruff ruff check -q
 check records python3 scripts/validation_records.py build/release/prs/cli/prs --check

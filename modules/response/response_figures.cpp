@@ -73,8 +73,8 @@ Figures force(const ResponseResult& r) {
 Figures energy(const ResponseResult& r) {
   const DriveResult& d = r.run;
   Figure figure{"response_energy", "Energies of the run"};
-  const std::size_t in = figure.add("put in", line_of(Colour::blue, Dash::solid, Weight::strong));
-  const std::size_t lost = figure.add("stored or lost", line_of(Colour::vermillion, Dash::solid, Weight::strong));
+  const std::size_t in = figure.add("put in", area_of(Colour::blue));
+  const std::size_t lost = figure.add("stored or lost", area_of(Colour::vermillion));
   std::vector<std::pair<const char*, double>> bars = {
       {"motor", d.motor}, {"load", d.load}, {"stored", d.stored_end - d.stored_start}};
   for (const auto& [what, loss] : kEnergyLosses) bars.emplace_back(what, d.*loss);
@@ -82,7 +82,7 @@ Figures energy(const ResponseResult& r) {
   figure.x = {""};
   for (std::size_t k = 0; k < std::size(bars); ++k) {
     const double x = static_cast<double>(k);
-    panel.series.push_back({k < 2 ? in : lost, {{{x, 0.0}, {x, bars[k].second}}}});
+    panel.series.push_back({k < 2 ? in : lost, {rectangle(x - 0.36, x + 0.36, 0.0, bars[k].second)}});
     figure.x.ticks.push_back({x, bars[k].first});
   }
   figure.x.from = -0.5;
@@ -120,11 +120,11 @@ Figures frequency(const ResponseResult& r) {
   };
   if (f.of_torque) {
     panel("Motor speed over motor torque", {"Speed over torque", "rad/s/(N m)"}, f.motor_speed, 1.0, true);
-    panel("Phase of the motor speed", {"Phase", "deg"}, f.motor_speed_phase, "deg"_per_si, false);
+    panel("Phase of the motor speed", {"Phase", "°"}, f.motor_speed_phase, "deg"_per_si, false);
     panel("Position over motor torque", {"Position over torque", "µm/(N m)"}, f.position, "µm"_per_si, true);
   } else {
     panel("Compliance at the load", {"Compliance", "µm/N"}, f.compliance, "µm"_per_si, true);
-    panel("Phase of the compliance", {"Phase", "deg"}, f.phase, "deg"_per_si, false);
+    panel("Phase of the compliance", {"Phase", "°"}, f.phase, "deg"_per_si, false);
   }
   return {std::move(figure)};
 }

@@ -303,7 +303,7 @@ const Analysis<ModelComparison>& compare_analysis() {
                 {"references", "references, and answers to their load cases", of_result(r, reference_figures)},
                 {"reference_butterfly", "references over the threads in tension and compression",
                  [&r, left = has_butterflies_of_load(c)](const FigureOptions&) {
-                   return in_kilonewtons(reference_butterfly(r, left));
+                   return in_shown_units(reference_butterfly(r, left));
                  }}};
       },
       .converged = [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },

@@ -432,8 +432,8 @@ bool has_several_threads(const Result& r) {
 /// Pictures with titles that name the loads of the figures if the screw runs.
 Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
   const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
-  if (std::ranges::none_of(r.load_cases, runs)) return pictures;
-  const char* loads = std::ranges::all_of(r.load_cases, runs) ? ", running loads" : ", static and running loads";
+  const bool some = std::ranges::any_of(r.load_cases, runs), all = std::ranges::all_of(r.load_cases, runs);
+  const char* loads = !some ? ", at rest" : all ? ", running" : ", at rest and running";
   for (Picture& picture : pictures)
     picture.make = [make = std::move(picture.make), loads](const FigureOptions& options) {
       Figures figures = make(options);
@@ -454,7 +454,7 @@ Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
       {"stiffness", kRange, of_result(r, stiffness)},
       {"butterfly", "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged",
        [&r, butterflies_of_load](const FigureOptions& options) {
-         return in_kilonewtons(butterfly(r, butterflies_of_load, options));
+         return in_shown_units(butterfly(r, butterflies_of_load, options));
        }}};
   std::ranges::move(roller_pictures(r), std::back_inserter(all));
   std::ranges::move(motion_pictures(r), std::back_inserter(all));

@@ -415,8 +415,8 @@ Figures thread_pressure(const Result& result, const FigureOptions& options) {
   }
   if (figure.panels.empty()) return {};
   figure.columns = figure.panels.size();
-  figure.x = {"along the major axis", "mm", -1.15 * half, 1.15 * half};
-  figure.y = {"along the minor axis", "mm", -1.15 * half, 1.15 * half};
+  figure.x = {"Along the major axis", "mm", -1.15 * half, 1.15 * half};
+  figure.y = {"Along the minor axis", "mm", -1.15 * half, 1.15 * half};
   figure.colours = ColourScale{"Pressure", "MPa", 0.0, most};
   figure.aspect = 0.6;
   figure.to_scale = true;

@@ -31,27 +31,21 @@ Figures thread_power(const Result& result, const FigureOptions& options) {
                                  result, one));
 }
 
-/// Friction coefficient and sliding speed of each thread, a panel each.
+/// Friction coefficient of each thread and sliding speed at the centre of its contact, a panel each.
 Figures friction(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_thread_slip);
   if (!shown) return {};
   Figure figure{"friction", "Friction and sliding of each thread, " + shown_name(shown->load_case.name)};
   figure.columns = 2;
-  struct Shown {
-    const char* title;
-    const char* unit;
-    std::vector<double> InterfaceSlip::*values;
-    double factor;
-  };
-  constexpr Shown kShown[] = {{"Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0},
-                              {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, "mm"_per_si}};
   for (std::size_t k = 0; k < std::size(kInterfaces); ++k) figure.add(interface_title(kInterfaces[k]), marked_line(k));
-  for (const Shown& s : kShown) {
-    Panel& panel = figure.panels.emplace_back(Panel{s.title});
+  const auto add = [&](const char* title, const char* unit, auto values, double factor) {
+    Panel& panel = figure.panels.emplace_back(Panel{title});
     for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
-      panel.series.push_back({k, {over_threads(shown->slip->threads[kInterfaces[k]].*s.values, s.factor)}});
-    panel.y = fitted({s.title, s.unit}, range_of_y(panel.series), true);
-  }
+      panel.series.push_back({k, {over_threads(shown->slip->threads[kInterfaces[k]].*values, factor)}});
+    panel.y = fitted({title, unit}, range_of_y(panel.series), true);
+  };
+  add("Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0);
+  add("Sliding speed at the centre", "mm/s", &InterfaceSlip::sliding_speed, "mm"_per_si);
   figure.x = thread_axis(shown->threads->screw.axial_load.size());
   return {std::move(figure)};
 }
@@ -163,12 +157,10 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
 
 /// Scale from zero, unless friction is so even that its differences would not show.
 ColourScale friction_scale(const PerInterface<PatchField>& fields) {
-  double least = HUGE_VAL, largest = 0.0;
+  Range shown;
   for (const Interface i : kInterfaces)
-    for (const double value : fields[i].friction_coefficient) {
-      least = std::min(least, value);
-      largest = std::max(largest, value);
-    }
+    for (const double value : fields[i].friction_coefficient) shown.include(value);
+  const auto [least, largest] = shown;
   const bool is_even = least > 0.5 * largest && largest - least > 1e-3 * largest;
   return {"Friction coefficient", "", is_even ? least : 0.0, largest > 0.0 ? largest : 1.0};
 }
@@ -188,8 +180,8 @@ Figure patch_figure(std::string name, const LoadCaseResult& result, const PerInt
     figure.panels.push_back(patch_panel(result, fields[i], i, thread));
     half = std::max(half, 1.2 * fields[i].semi_major * "mm"_per_si);
   }
-  figure.x = {"along the major axis", "mm", -half, half};
-  figure.y = {"along the minor axis", "mm", -half, half};
+  figure.x = {"Along the major axis", "mm", -half, half};
+  figure.y = {"Along the minor axis", "mm", -half, half};
   return figure;
 }
 
@@ -399,19 +391,19 @@ double power_below(const SlipResult& slip, std::size_t source) {
   return sum;
 }
 
-/// The polygon between the sums without and with the source.
-Polyline area(const std::vector<SweepPoint>& run, std::size_t source, double factor) {
-  Polyline polygon;
-  for (const SweepPoint& p : run) polygon.push_back({p.x, factor * power_below(*p.slip, source)});
-  for (auto p = run.rbegin(); p != run.rend(); ++p)
-    polygon.push_back({p->x, factor * power_below(*p->slip, source + 1)});
-  return polygon;
+/// Line of the sums of the sources before this one.
+Polyline sums_line(const std::vector<SweepPoint>& run, std::size_t source, double factor) {
+  Polyline line;
+  for (const SweepPoint& p : run) line.push_back({p.x, factor * power_below(*p.slip, source)});
+  return line;
 }
 
-Polyline total_line(const std::vector<SweepPoint>& run, double factor) {
-  Polyline line;
-  for (const SweepPoint& p : run) line.push_back({p.x, factor * p.slip->power.total()});
-  return line;
+/// The polygon between the sums without and with the source.
+Polyline area(const std::vector<SweepPoint>& run, std::size_t source, double factor) {
+  Polyline polygon = sums_line(run, source, factor);
+  const Polyline above = sums_line(run, source + 1, factor);
+  polygon.insert(polygon.end(), above.rbegin(), above.rend());
+  return polygon;
 }
 
 Polyline efficiency_line(const std::vector<SweepPoint>& run) {
@@ -463,15 +455,13 @@ Figure power_bars(std::vector<const LoadCaseResult*> cases) {
   Panel& panel = figure.panels.emplace_back();
   for (std::size_t k = 0; k < std::size(kPowerSources); ++k) {
     Series bars;
-    bool any = false;
     for (std::size_t c = 0; c < cases.size(); ++c) {
       const SlipResult& slip = *cases[c]->slip;
       const double at = static_cast<double>(c + 1), power = slip.power.*kPowerSources[k].value;
       const double below = power_below(slip, k);
-      any = any || power > 0.0;
-      bars.parts.push_back(rectangle(at - 0.3, at + 0.3, below, below + power));
+      if (power > 0.0) bars.parts.push_back(rectangle(at - 0.3, at + 0.3, below, below + power));
     }
-    if (!any) continue;
+    if (bars.parts.empty()) continue;
     bars.style = figure.add(std::string(kPowerSources[k].title), area_of(kSourceColours[k]));
     panel.series.push_back(std::move(bars));
   }
@@ -498,7 +488,7 @@ Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis, co
     power.series.push_back(series_of(style, runs, [&](const auto& r) { return area(r, k, factor); }));
   }
   power.series.push_back(series_of(figure.add(line_of(Colour::ink, Dash::solid, Weight::thin)), runs,
-                                   [&](const auto& r) { return total_line(r, factor); }));
+                                   [&](const auto& r) { return sums_line(r, std::size(kPowerSources), factor); }));
   Panel& efficiency = figure.panels[1];
   efficiency.title = "Efficiency";
   const std::size_t style = figure.add("efficiency", line_of(Colour::ink, Dash::solid, Weight::strong));
@@ -520,10 +510,8 @@ Figures power_by_source(const Result& result, const FigureOptions& options) {
     if (has_slip(*load_case)) cases.push_back(load_case);
   if (cases.empty()) return {};
   std::vector<LoadCaseResult> kept;
-  if (!options.load_cases.empty())
-    for (const LoadCaseResult* load_case : cases) kept.push_back(*load_case);
-  const auto sweeps =
-      loaded_configurations(options.load_cases.empty() ? result.load_cases : kept, kMinSweepPoints, has_slip);
+  for (const LoadCaseResult* load_case : cases) kept.push_back(*load_case);
+  const auto sweeps = loaded_configurations(kept, kMinSweepPoints, has_slip);
   for (const LoadedConfiguration& configuration : sweeps)
     for (const CaseGroup& group : configuration.groups) {
       if (figures.size() == kMostFigures) return figures;

@@ -114,14 +114,15 @@ Panel front_panel(const OptimizationResult& result, std::size_t x, std::size_t y
   for (std::size_t k = 0; k < designs.size(); k += step)
     if (designs[k].is_feasible()) cloud.push_back({designs[k].responses[x], designs[k].responses[y]});
   panel.series = {{kCloud, {std::move(cloud)}}};
-  if (result.check) panel.series.push_back({kCheckFront, {points_of_front(*result.check, x, y)}});
-  panel.series.push_back({kFront, {points_of_front(result.search, x, y)}});
   const auto mark = [&](FrontStyle style, const EvaluatedDesign& design) {
     if (std::isfinite(design.responses[x]) && std::isfinite(design.responses[y]))
       panel.series.push_back({style, {{{design.responses[x], design.responses[y]}}}});
   };
   mark(kFileDesign, result.initial);
   if (const EvaluatedDesign* chosen = result.chosen()) mark(kCompromise, *chosen);
+  // On top of the compromise, which is larger: a front may be that design alone.
+  if (result.check) panel.series.push_back({kCheckFront, {points_of_front(*result.check, x, y)}});
+  panel.series.push_back({kFront, {points_of_front(result.search, x, y)}});
   return panel;
 }
 
@@ -164,7 +165,7 @@ Figures optimization_history(const OptimizationResult& result) {
   for (const Objective& objective : optimization.objectives)
     if (figure.panels.size() < kMostPanels) figure.panels.push_back(history_panel(result, objective));
   figure.aspect = 0.3;
-  return {with_true_legend(std::move(figure))};
+  return {std::move(figure)};
 }
 
 /// The designs and the fronts of both searches, a panel for each pair of objectives, with the
@@ -192,7 +193,7 @@ Figures pareto_front(const OptimizationResult& result) {
         if (auto large = enlarged_front(result, figure.panels.back(), x, y)) figure.panels.push_back(std::move(*large));
       }
   figure.columns = std::min<std::size_t>(figure.panels.size(), 2);
-  return {with_true_legend(std::move(figure))};
+  return {std::move(figure)};
 }
 
 Figures optimization_history(const OptimizationResult& result);

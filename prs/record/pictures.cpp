@@ -14,11 +14,6 @@
 
 namespace prs {
 
-Figures in_kilonewtons(Figures figures) {
-  for (Figure& figure : figures) figure = in_kilonewtons(std::move(figure));
-  return figures;
-}
-
 Pictures with(Pictures own, Pictures others) {
   for (Picture& picture : others) {
     picture.drawn = Picture::Drawn::by_name;
@@ -438,12 +433,6 @@ std::string shown_name(std::string_view name) {
   return shortened(printable(name), kMost);
 }
 
-Figure in_kilonewtons(Figure figure) { return in_unit(std::move(figure), {"N", "kN", 1e-3, 1e4}); }
-
-Figure in_page_units(Figure figure) {
-  return in_unit(in_unit(std::move(figure), {"N", "kN", 1e-3, 1e3}), {"MPa", "GPa"});
-}
-
 Figure in_unit(Figure figure, const UnitChange& change) {
   const auto scale = [&](auto&... values) { ((values *= change.factor), ...); };
   const auto scale_all = [&](std::vector<double>& values) {
@@ -529,20 +518,45 @@ bool are_alike(const Figure& figure, std::size_t a, std::size_t b) {
   return shown;
 }
 
-/// Whether some series have the style, but no point.
+/// Whether a range from a to b, in either order, reaches an axis.
+bool reaches(const Axis& axis, double a, double b) {
+  return !(std::max(a, b) < std::min(axis.from, axis.to) || std::min(a, b) > std::max(axis.from, axis.to));
+}
+
+/// Whether some series have the style, but nothing that their axes reach.
 bool is_empty(const Figure& figure, std::size_t style) {
   bool used = false;
   for (const Panel& panel : figure.panels) {
-    if (!points_of_style(panel, style).empty()) return false;
-    for (const Series& series : panel.series) used = used || series.style == style;
+    const Axis &x = panel.x ? *panel.x : figure.x, &y = panel.y ? *panel.y : figure.y;
+    for (const Series& series : panel.series) {
+      if (series.style != style) continue;
+      used = true;
+      for (const Polyline& part : series.parts)
+        for (std::size_t k = 0; k < part.size(); ++k) {
+          const auto &here = part[k], &before = part[k > 0 ? k - 1 : 0];
+          if (reaches(x, here[0], before[0]) && reaches(y, here[1], before[1])) return false;
+        }
+    }
   }
   return used;
 }
 
+void drop_empty_entries(Figure& figure) {
+  std::erase_if(figure.legend, [&](const LegendEntry& e) { return is_empty(figure, e.style); });
+}
+
 }  // namespace
 
+Figures in_shown_units(Figures figures) {
+  for (Figure& figure : figures) {
+    figure = in_unit(in_unit(std::move(figure), {"N", "kN", 1e-3, 1e3}), {"MPa", "GPa"});
+    drop_empty_entries(figure);
+  }
+  return figures;
+}
+
 Figure with_true_legend(Figure figure) {
-  std::erase_if(figure.legend, [&](const LegendEntry& e) { return is_empty(figure, e.style); });
+  drop_empty_entries(figure);
   const auto is_line = [&](const LegendEntry& e) {
     const Style& style = figure.styles[e.style];
     return style.shape == Shape::line && style.dash != Dash::none;

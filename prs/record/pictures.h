@@ -41,16 +41,17 @@ struct Picture {
 };
 using Pictures = std::vector<Picture>;
 
-Figures in_kilonewtons(Figures figures);
+/// Figures in the units of tables, kN from 1000 N on and GPa, without legend entries for what their axes do not reach.
+Figures in_shown_units(Figures figures);
 
 /// A picture that a function makes from the result, which must outlive it.
 template <class R>
 auto of_result(const R& result, Figures (*make)(const R&, const FigureOptions&)) {
-  return [&result, make](const FigureOptions& options) { return in_kilonewtons(make(result, options)); };
+  return [&result, make](const FigureOptions& options) { return in_shown_units(make(result, options)); };
 }
 template <class R>
 auto of_result(const R& result, Figures (*make)(const R&)) {
-  return [&result, make](const FigureOptions&) { return in_kilonewtons(make(result)); };
+  return [&result, make](const FigureOptions&) { return in_shown_units(make(result)); };
 }
 
 /// Own pictures, and those of another analysis, which are drawn by name only.
@@ -149,12 +150,6 @@ struct UnitChange {
   double least = 0.0;
 };
 Figure in_unit(Figure figure, const UnitChange& change);
-
-/// Figure with forces of 10 kN and more in kN instead of N.
-Figure in_kilonewtons(Figure figure);
-
-/// Figure in the units of the page's tables: kN from 1000 N on, and GPa.
-Figure in_page_units(Figure figure);
 
 /// Adds to every panel a dashed line at `mean`, the load of each thread if all had the same.
 void add_mean(Figure& figure, double mean);

@@ -322,7 +322,7 @@ Figure with_table_units(Figure figure) {
 
 std::string svg(const Figure& drawn, const std::string& id) {
   const Figure figure =
-      with_ranges(with_true_legend(table_system() == UnitSystem::us ? with_table_units(drawn) : in_page_units(drawn)));
+      with_ranges(with_true_legend(table_system() == UnitSystem::us ? with_table_units(drawn) : drawn));
   std::string all = "<div class=\"panels\">";
   for (std::size_t k = 0; k < figure.panels.size(); ++k) all += image(figure, k, id);
   all += "</div>";

@@ -235,10 +235,15 @@ Figure kind_of_figure(const StudyResult& result, std::size_t response, std::stri
   return figure;
 }
 
+/// Text for titles: how well the linear surface fits, and to how many designs.
+std::string quality_of_fit(const StudyResult& result, std::size_t response, const LinearFit& fit) {
+  return fmt::format(": linear surface, R² = {:.4f}, n = {}", fit.r_squared, result.summary.statistics[response].count);
+}
+
 /// Yao et al. 2023, figs. 8, 9.
 Figure surface_figure(const StudyResult& result, std::size_t response, const LinearFit& fit) {
   Figure figure = kind_of_figure(result, response, "contributions");
-  figure.title += fmt::format(": linear surface, R² = {:.4f}", fit.r_squared);
+  figure.title += quality_of_fit(result, response, fit);
   figure.x = {"Contribution |b| / sum of |b|, with the sign of b", "%"};
   std::vector<std::string> names;
   std::vector<double> values;
@@ -297,27 +302,14 @@ Figure gain_figure(const StudyResult& result, std::size_t response, const std::v
   Figure figure = kind_of_figure(result, response, "tolerances");
   figure.title += ": what half the deviation of a factor buys";
   figure.x = {"Less of what 95 % of the designs stay below", "%"};
-  Series series{figure.add("gain", area_of(Colour::blue))};
-  const std::size_t bars = std::min(gains.size(), kMostBars);
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < bars; ++k) {
-    names.push_back(block_name(result.study, gains[k].factor));
-    const double at = rank_position(k, bars), gain = 100.0 * gains[k].gain();
-    series.parts.push_back(rectangle(std::min(gain, 0.0), std::max(gain, 0.0), at - 0.36, at + 0.36));
+  std::vector<double> values;
+  for (const ToleranceGain& gain : gains) {
+    if (names.size() == kMostBars) break;
+    names.push_back(block_name(result.study, gain.factor));
+    values.push_back(100.0 * gain.gain());
   }
-  Panel panel;
-  panel.series = {std::move(series)};
-  panel.references.push_back({figure.add(kZeroStyle), 0.0, true});
-  figure.y = ranked_axis(names);
-  figure.aspect = 0.08 + 0.065 * static_cast<double>(bars);
-  figure.panels.push_back(std::move(panel));
-  return figure;
-}
-
-/// Value of a factor in a drawn design.
-std::optional<double> value_of(const StudyRow& row, std::size_t factor) {
-  const auto setting = std::ranges::find(row.design.settings, factor, &Setting::factor);
-  return setting == row.design.settings.end() ? std::nullopt : setting->level.number;
+  return ranked_bars(std::move(figure), names, values, {"gain", "loss"});
 }
 
 /// Value of the surface over one factor, the others in the middle of their ranges.
@@ -329,6 +321,7 @@ Polyline line_of_fit(const FactorEffect& effect, double intercept, const Normali
 Figure cloud_figure(const StudyResult& result, std::size_t response, const LinearFit& fit, std::size_t most) {
   const std::vector<NormalisedFactor> normalised = normalised_factors(result.study);
   Figure figure = kind_of_figure(result, response, "designs");
+  figure.title += quality_of_fit(result, response, fit);
   const std::size_t dots = figure.add("designs", points_of(Colour::sky, Mark::circle, Weight::thin));
   const std::size_t line = figure.add("linear surface, others in the middle", line_of(Colour::vermillion));
   const std::size_t panels = std::min(fit.effects.size(), most);
@@ -339,7 +332,7 @@ Figure cloud_figure(const StudyResult& result, std::size_t response, const Linea
     Series cloud{dots, {{}}};
     std::vector<double> values;
     for (std::size_t k = 1; k < result.rows.size() && values.size() < kMostPoints; ++k) {
-      const std::optional<double> x = value_of(result.rows[k], factor);
+      const std::optional<double> x = number_in(result.study, result.rows[k], factor);
       const std::optional<double>& y = result.rows[k].responses[response];
       if (!x || !y) continue;
       values.push_back(*x);

@@ -14,10 +14,12 @@ constexpr std::size_t kMostOfName = 36;
 constexpr std::size_t kMostWholeTicks = 13;
 constexpr double kLargestWholeTick = 9999.0;
 
-/// `µm` for `um`, in whatever stands with it.
+/// `µm` for `um`, in whatever stands with it, and other signs.
 std::string shown_unit(const std::string& unit) {
+  constexpr std::pair<std::string_view, const char*> kSigns[] = {{"um", "µm"}, {"deg", "°"}, {"^2", "²"}, {"^3", "³"}};
   std::string shown = printable(unit);
-  if (const std::size_t at = shown.find("um"); at != std::string::npos) shown.replace(at, 2, "µm");
+  for (const auto& [word, sign] : kSigns)
+    if (const std::size_t at = shown.find(word); at != std::string::npos) shown.replace(at, word.size(), sign);
   return shown;
 }
 
@@ -117,9 +119,10 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 
 std::size_t columns_for(std::size_t panels) { return panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3; }
 
-Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values) {
-  Series grows{figure.add("grows with the factor", area_of(Colour::blue))};
-  Series falls{figure.add("falls", area_of(Colour::vermillion))};
+Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values,
+                   const std::array<const char*, 2>& titles) {
+  Series grows{figure.add(titles[0], area_of(Colour::blue))};
+  Series falls{figure.add(titles[1], area_of(Colour::vermillion))};
   Panel panel;
   Range range{0.0, 0.0};
   for (const double value : values) range.include(value);

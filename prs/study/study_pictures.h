@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "prs/record/pictures.h"
 #include "prs/study/study_result.h"
 #include "prs/text.h"
@@ -61,8 +63,9 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most);
 /// Number of panels side by side.
 std::size_t columns_for(std::size_t panels);
 
-/// Signed bars from above to below, the longest first, with their numbers.
-Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values);
+/// Signed bars from above to below, the longest first, with their numbers; titles of those above and below zero.
+Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values,
+                   const std::array<const char*, 2>& titles = {"grows with the factor", "falls"});
 
 /// Whether a map shows more than lines do: a grid over two numeric factors of many levels.
 bool suits_map(const Study& study);

@@ -397,7 +397,8 @@ std::string series_svg(const Figure& figure, const Series& series, const Frame& 
   std::optional<ScaleSteps> scale;
   if (figure.colours && !series.values.empty()) scale.emplace(*figure.colours);
   const bool lined = style.dash != Dash::none;
-  const std::size_t stride = lined ? (longest + 11) / 12 : 1;
+  constexpr std::size_t kMostMarks = 40;  // Longer lines have about a dozen marks.
+  const std::size_t stride = lined && longest > kMostMarks ? longest / 12 : 1;
   const double radius = kMarkRadius * look(kMarkSizes, style.weight);
   std::string all, d, marks;
   for (std::size_t k = 0; k < series.parts.size(); ++k) {
@@ -416,9 +417,10 @@ std::string series_svg(const Figure& figure, const Series& series, const Frame& 
       if (lined) d += way(part, f, false);
       if (style.mark == Mark::none) continue;
       std::string own;
-      for (std::size_t p = 0; p < part.size(); p += std::max<std::size_t>(1, stride))
-        if (const double x = f.across(part[p][0]), y = f.up(part[p][1]); std::isfinite(x) && std::isfinite(y))
-          own += mark(style.mark, x, y, radius);
+      for (std::size_t p = 0; p < part.size(); ++p)
+        if (p % stride == 0 || p + 1 == part.size())
+          if (const double x = f.across(part[p][0]), y = f.up(part[p][1]); std::isfinite(x) && std::isfinite(y))
+            own += mark(style.mark, x, y, radius);
       if (valued)
         all += mark_path(style, own, colour);
       else

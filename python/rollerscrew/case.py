@@ -31,7 +31,7 @@ from rollerscrew.frames import frame_of
 from rollerscrew.function import Function, function_of
 from rollerscrew.progress import Progress, progress_callback
 from rollerscrew.reasons import COMMANDS, Reasons, response_in
-from rollerscrew.record import Record, Result
+from rollerscrew.record import Record, Result, in_words, some_of
 from rollerscrew.records import Command
 from rollerscrew.results import (
     Analyses,
@@ -784,8 +784,9 @@ class Case(Analyses):
     def responses(self, command: Command | Literal["preload"] = "solve") -> pd.DataFrame:
         """What `evaluate` may answer for this case by a command, one row per path.
 
-        `defined` says whether the command answers it for this case; where not, `needs` says which
-        other command does, or what the case must state.
+        `loads` says whether a response rests on loads at rest or on running ones, with the friction
+        of a screw that turns. `defined` says whether the command answers it for this case; where
+        not, `needs` says which other command does, or what the case must state.
 
         Parameters
         ----------
@@ -795,7 +796,7 @@ class Case(Analyses):
         Returns
         -------
         pandas.DataFrame
-            With the columns path, unit, title, defined, needs.
+            With the columns path, unit, title, loads, defined, needs.
         """
         if command not in COMMANDS:
             raise ValueError(f"command: got {command!r}; expected {' | '.join(COMMANDS)}")
@@ -808,9 +809,9 @@ class Case(Analyses):
             title, unit = _engine.response_title(path)
             defined = response_in(result, path) is not None
             needs = "" if defined else reasons.of(path)
-            rows.append(
-                {"path": path, "unit": unit, "title": title, "defined": defined, "needs": needs}
-            )
+            row = {"path": path, "unit": unit, "title": title}
+            loads = _loads_of_response(result, path) if defined else ""
+            rows.append({**row, "loads": loads, "defined": defined, "needs": needs})
         return frame_of(rows)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -835,8 +836,8 @@ class Case(Analyses):
         return case_html(self)
 
     def __repr__(self) -> str:
-        changed = "".join(f", {override}" for override in self.overrides)
-        return f"<Case {self.name}{changed}>"
+        changed = [override[:60] + ".." * (len(override) > 60) for override in self.overrides]
+        return f"<Case {', '.join(filter(None, (self.name, some_of(changed))))}>"
 
 
 def _restore(
@@ -940,7 +941,16 @@ def _preload_responses(record: Record, path: str) -> Iterator[dict[str, Any]]:
                     yield from _preload_responses(each, f"{place}[{k}]")
         elif isinstance(value, int | float) and not isinstance(value, bool):
             title, unit = _engine.response_title(place)
-            yield {"path": place, "unit": unit, "title": title, "defined": True, "needs": ""}
+            row = {"path": place, "unit": unit, "title": title, "loads": "at rest"}
+            yield {**row, "defined": True, "needs": ""}
+
+
+def _loads_of_response(result: Result, path: str) -> str:
+    """`at rest` or `running`, of what rests on thread loads."""
+    block = path.partition(".")[0]
+    if block in ("life", "preload"):
+        return in_words(result[block].get("thread_loads", ""))
+    return "" if block in result else in_words(result["load_cases"][0].get("loads", ""))
 
 
 _STEP = re.compile(r"\.?([^.\[\]]+)|\[([^\[\]]+)\]")

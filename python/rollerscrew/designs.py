@@ -19,7 +19,8 @@ import numpy.typing as npt
 from rollerscrew import _engine
 from rollerscrew.errors import InputError, InputProblem
 from rollerscrew.progress import Progress, progress_callback
-from rollerscrew.reasons import STUDIED, Reasons, commands_of, numbers_known, response_in
+from rollerscrew.reasons import COMMANDS, STUDIED, Reasons, commands_of, numbers_known, response_in
+from rollerscrew.record import loads_of, some_of
 from rollerscrew.records import Command
 from rollerscrew.values import (
     checked_text,
@@ -77,8 +78,9 @@ class Origin:
 
     case: SourceParts
     study: SourceParts | None
-    rows: npt.NDArray[Any]  #: Numbers of designs of a study, or what each design sets, a row each.
+    rows: npt.NDArray[Any]  #: Numbers of designs of a study, or one row of settings per design.
     columns: Mapping[str, _Column] | None = None  #: Without a study: what the rows set.
+    command: str = ""  #: That answers them; of several commands their names.
 
     def overrides(self, place: int) -> list[str]:
         if self.columns is not None:
@@ -93,7 +95,7 @@ class Origin:
 
 @dataclass(frozen=True, eq=False)
 class Designs:
-    """Answers of many designs, a row each, in the order in which they were asked for.
+    """Answers of many designs, one row each, in the order in which they were asked for.
 
     `designs["axial_stiffness_N_per_um"]` is the array of a response or of a column of `inputs`,
     `designs[mask]` the designs that a mask, a slice or places choose, `designs.case(i)` the case of
@@ -120,7 +122,7 @@ class Designs:
 
     def __repr__(self) -> str:
         converged = int(self.converged.sum())
-        shown = reprlib.repr(list(self._whole_responses()))[1:-1].replace("'", "")
+        shown = some_of(list(self._whole_responses()))
         return f"<Designs: {len(self)}, {converged} converged; {shown}>"
 
     def _repr_html_(self) -> str:
@@ -257,10 +259,11 @@ class Designs:
         *,
         label: str | None = None,
         color: Any = None,
+        width: float | None = None,
     ) -> Axes:
         """Converged designs as points: an input or response over another, coloured by a third.
 
-        `label` and `color` as `rollerscrew.plots.draw` has them.
+        `label`, `color` and `width` as `rollerscrew.plots.draw` has them.
 
         Parameters
         ----------
@@ -274,6 +277,8 @@ class Designs:
             Name in the legend.
         color : optional
             A colour of matplotlib.
+        width : float, optional
+            Width of a new figure in mm.
 
         Returns
         -------
@@ -281,7 +286,7 @@ class Designs:
         """
         from rollerscrew import plots
 
-        return plots.draw(_cloud(self, x, y, colour), ax, label=label, color=color)
+        return plots.draw(_cloud(self, x, y, colour), ax, label=label, color=color, width=width)
 
     def to_frame(self) -> pd.DataFrame:
         """Inputs, status, reason and responses, one row per design: the columns of `study.csv`.
@@ -303,7 +308,8 @@ class Designs:
 
         Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads
         have the dimension `thread`; the number of the first thread is 1. Variables have the
-        attributes `units` and `long_name`, the whole `prs_version`, `case_file` and `input_sha256`.
+        attributes `units` and `long_name`, the whole `prs_version`, `case_file`, `input_sha256`,
+        `command` and `loads`: `at rest`, or `running` with the friction of a screw that turns.
 
         Returns
         -------
@@ -344,8 +350,13 @@ class Designs:
 
         attributes = {"prs_version": _engine.version}
         if self.origin is not None:
-            document = Case._from_source(source_of(self.origin.case)).check()
+            command = self.origin.command
+            known = command if command in COMMANDS else "check"
+            document = getattr(Case._from_source(source_of(self.origin.case)), known)()
             attributes |= {key: document[key] for key in ("case_file", "input_sha256")}
+            attributes["command"] = command
+            if loads := loads_of(document):
+                attributes["loads"] = loads
         return attributes
 
 
@@ -401,15 +412,18 @@ def designs_of(
     return Designs(inputs, tuple(answers.responses), answers.values, status, reason, origin)
 
 
-def study_designs(source: _engine.Source, study: _engine.Study, rows: _engine.StudyRows) -> Designs:
+def study_designs(
+    source: _engine.Source, study: _engine.Study, rows: _engine.StudyRows, command: str
+) -> Designs:
     """What the designs of a study set and answer, the base case first."""
     answers = rows.designs()
     parts = parts_of(source)
-    return designs_of(study_inputs(study), answers, Origin(parts, parts, np.arange(answers.count)))
+    origin = Origin(parts, parts, np.arange(answers.count), command=command)
+    return designs_of(study_inputs(study), answers, origin)
 
 
 def study_inputs(study: _engine.Study) -> pd.DataFrame:
-    """What the designs of a study set, a row each."""
+    """What the designs of a study set, one row per design."""
     import pandas as pd
 
     columns: dict[str, Any] = {}
@@ -451,10 +465,11 @@ def evaluate(
             study = prepared.study(rows)
             warn_of(study, 4)
             answered = prepared.answered(study, rows, thread_count(threads), show)
+    assert answered.origin is not None
     index = getattr(inputs, "index", None)
     if index is not None and hasattr(inputs, "columns"):
         answered = replace(answered, inputs=answered.inputs.set_axis(index))
-    return answered
+    return replace(answered, origin=replace(answered.origin, command=str(command)))
 
 
 def warn_of(study: _engine.Study, level: int) -> None:

@@ -6,6 +6,7 @@ import json
 import threading
 import warnings
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,6 +27,7 @@ from rollerscrew.designs import (
 )
 from rollerscrew.errors import InputError
 from rollerscrew.reasons import commands_of
+from rollerscrew.record import some_of
 from rollerscrew.records import Command
 from rollerscrew.values import number_text, override_text
 
@@ -101,11 +103,11 @@ class Function:
         return _restored, (self._case, inputs, self._responses, self.command)
 
     def __repr__(self) -> str:
-        inputs = ", ".join(
+        inputs = [
             f"{path} [{unit}]" if unit else path
             for path, unit in zip(self.inputs, self.units, strict=True)
-        )
-        return f"<Function of {inputs}: {', '.join(self.responses)}>"
+        ]
+        return f"<Function of {some_of(inputs)}: {some_of(self.responses)}>"
 
     def __call__(self, x: npt.ArrayLike) -> npt.NDArray[np.float64]:
         numbers = np.asarray(x, dtype=np.float64)
@@ -138,7 +140,8 @@ class Function:
             f"{path}_{_engine.unit_key(unit)}" if unit else path
             for path, unit in zip(self.inputs, self.units, strict=True)
         ]
-        origin = Origin(self._parts, self._study_parts(self._plan()), levels)
+        parts = self._study_parts(self._plan())
+        origin = Origin(self._parts, parts, levels, command=str(self.command))
         return designs_of(pd.DataFrame(rows, columns=names), answers, origin)
 
     def jacobian(self, x: npt.ArrayLike) -> npt.NDArray[np.float64]:
@@ -329,7 +332,9 @@ class JoinedFunction(Function):
             fails = status == "converged"
             status[fails], reason[fails] = part.status[fails], part.reason[fails]
         values = np.hstack([part.values for part in parts])[:, self._order]
-        return Designs(parts[0].inputs, self.responses, values, status, reason, parts[0].origin)
+        assert parts[0].origin is not None
+        origin = replace(parts[0].origin, command=", ".join(self.command))
+        return Designs(parts[0].inputs, self.responses, values, status, reason, origin)
 
 
 def function_of(

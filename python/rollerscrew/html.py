@@ -10,6 +10,7 @@ import reprlib
 from typing import TYPE_CHECKING, Any, cast
 
 from rollerscrew import _engine
+from rollerscrew.record import in_words
 
 if TYPE_CHECKING:
     from rollerscrew.case import Case
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 #: Headlines: the record of a document or of its load cases, and quantities of it.
 _HEADLINES = {
-    "": ("status", "axial_force_N", "axial_displacement_um", "axial_stiffness_N_per_um"),
+    "": ("status", "loads", "axial_force_N", "axial_displacement_um", "axial_stiffness_N_per_um"),
     "screw": ("peak_pressure_MPa",),
     "nut": ("peak_pressure_MPa",),
     "slip": ("status", "slip_ratio", "efficiency", "power_loss_W"),
@@ -116,7 +117,7 @@ def result_html(result: Result) -> str:
 
 
 def record_html(record: Record) -> str:
-    """The numbers and words of a record, a row each; of a load case its headlines and picture."""
+    """The numbers and words of a record, one row each; of a load case its headlines and picture."""
     if type(record).__name__ == "LoadCase":
         warnings = _warnings(record.get("warnings", []))
         table = _table([(str(record["name"]), _headlines(record))])
@@ -161,7 +162,7 @@ def _shown(record: Record, names: tuple[str, ...]) -> dict[str, str]:
         title, unit = _engine.response_title(name)
         title = f"{title}, {unit}" if unit else title
         if isinstance(value, str):
-            shown[title] = value
+            shown[title] = in_words(value)
         else:
             shown[title] = f"{float(value if isinstance(value, int | float) else value.max()):.4g}"
     return shown

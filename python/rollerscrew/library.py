@@ -152,7 +152,7 @@ def configurations(
     flank_angle: Any | None = None,
     roller_profile_radius: Length | None = None,
 ) -> pd.DataFrame:
-    """The geometries that a screw diameter and a lead allow, a row each: `prs configurations`.
+    """The geometries that a screw diameter and a lead allow, one row each: `prs configurations`.
 
     Parameters
     ----------

@@ -203,6 +203,13 @@ class Reasons:
         needs = f"needs {_listed(lacking)}" if lacking else self._said(path)
         return needs if is_here else f'{needs}; write command="{home}"'
 
+    def lacking(self, path: str) -> str:
+        """`of` for a quantity of the command's own document, without the answers of others."""
+        if self._command not in (homes := commands_of(path)):
+            return f"needs the command `{homes[0]}`"
+        lacking = list(self._lacking(path))
+        return f"needs {_listed(lacking)}" if lacking else ""
+
     def _is_known(self, path: str) -> bool:
         plain = _OF_LOAD_CASE.sub("", path)
         series = re.sub(r"\[\d+\]$|\.(max|min|mean)$", "", plain)

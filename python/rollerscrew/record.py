@@ -28,10 +28,26 @@ if TYPE_CHECKING:
 
 
 class Look(typing.TypedDict, total=False):
-    """How a picture looks among others: its name in the legend, its colour."""
+    """How a picture looks: its name in the legend, its colour, the width of a new figure in mm."""
 
     label: str | None
     color: Any
+    width: float | None
+
+
+def in_words(word: str) -> str:
+    """A word of a document as texts have it: loads that are `static` are those at rest."""
+    return "at rest" if word == "static" else word.replace("_", " ")
+
+
+#: So many names stand in the texts of records and designs, which are one line.
+_MOST_NAMES = 6
+
+
+def some_of(names: Sequence[str]) -> str:
+    """The first names, and how many others there are."""
+    more = len(names) - _MOST_NAMES
+    return ", ".join(names[:_MOST_NAMES]) + (f", .. {more} others" if more > 0 else "")
 
 
 #: Names with one underscore before them.
@@ -114,7 +130,10 @@ class Record:
         return [name for name in (*super().__dir__(), *self.keys()) if not _PRIVATE.match(name)]
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {', '.join(self.keys())}>"
+        told = [self[key] for key in ("name", "loads", "status") if key in self]
+        words = ", ".join(in_words(each) for each in told if isinstance(each, str))
+        kind = f"{type(self).__name__} {words}".strip()
+        return f"<{kind}: {some_of(self.keys())}>"
 
     def _repr_html_(self) -> str:
         from rollerscrew.html import record_html
@@ -169,11 +188,26 @@ class Record:
             return f"{said} is absent: {self._key or 'this'} ended with {status!r}" + (
                 f": {why}" if why else ""
             )
-        there = ", ".join(self.keys()) or "nothing"
-        needs = needs_of(type(self).__name__, name) if known else ""
+        there = some_of(self.keys()) or "nothing"
+        needs = self._needed(name) if known else ""
         hint = "" if known or not isinstance(name, str) else self._meant(name)
         said += f" is not defined by this case{needs and '; it ' + needs}; there is {there}"
         return said + hint
+
+    def _needed(self, name: str) -> str:
+        """`needs ..`: what the case lacks for a quantity, or another command that answers it."""
+        from rollerscrew.reasons import Reasons
+
+        path, top = name, self
+        while top._owner is not None:
+            place = f"load_cases[{top.get('name')}]" if top._key == "load_cases" else top._key
+            path, top = f"{place}.{path}", top._owner
+        if isinstance(top, Result) and "resolved_input" in top:
+            is_record = name in types_of(type(self)).records
+            told = Reasons(top._own_case(), top.command).lacking(path + "." * is_record)
+            if told:
+                return told
+        return needs_of(type(self).__name__, name)
 
     def _meant(self, name: str) -> str:
         """`; did you mean ..?`: what has nearly that name, or stands further within."""
@@ -323,6 +357,24 @@ def needs_in(quantity: Mapping[str, str]) -> str:
     return ""
 
 
+#: Keys of every document, and those that the text of a result counts.
+_OF_ALL = frozenset(
+    "prs_version schema_version command case_file input_sha256 overrides assumptions "
+    "resolved_input warnings load_cases".split()
+)
+
+
+def loads_of(document: Record) -> str:
+    """Whether thread loads of a document are those at rest or running, or both; empty without."""
+    records = [*document.get("load_cases", []), document.get("life"), document.get("preload")]
+    told = [
+        each.get("loads" if "name" in each else "thread_loads")
+        for each in records
+        if isinstance(each, Record)
+    ]
+    return " and ".join(dict.fromkeys(in_words(each) for each in told if each))
+
+
 class Result(Record):
     """What a command answers: its document as attributes, as text, as data frames, as pictures."""
 
@@ -387,12 +439,14 @@ class Result(Record):
             return self._attribute(name)
 
     def __repr__(self) -> str:
-        said = []
-        if "load_cases" in self:
-            said.append(f"{len(self['load_cases'])} load cases")
-        if self.warnings:
-            said.append(f"{len(self.warnings)} warnings")
-        return f"<{type(self).__name__}: {', '.join([*said, *self.keys()])}>"
+        cases, warned = self.get("load_cases", []), len(self.warnings)
+        parts = []
+        if cases:
+            parts.append(f"{len(cases)} load case{'s' * (len(cases) > 1)} {loads_of(self)}".strip())
+        if warned:
+            parts.append(f"{warned} warning{'s' * (warned > 1)}")
+        own = [key for key in self.keys() if key not in _OF_ALL]
+        return f"<{type(self).__name__}: {'; '.join([*parts, some_of(own)])}>"
 
     @classmethod
     def from_json(cls, text: str) -> Self:
@@ -471,19 +525,20 @@ class Result(Record):
         *,
         label: str | None = None,
         color: Any = None,
+        width: float | None = None,
         **options: Any,
     ) -> Axes:
         """Draws one of the pictures by its name: `slip.plot_figure("slip_patches", load_case=1)`.
 
-        All its panels into a new figure, or what they have in common into the axes given; `label`
-        and `color` as `rollerscrew.plots.draw` has them. Raises ValueError where the result has no
-        such picture, or nothing to draw.
+        All its panels into a new figure, or what they have in common into the axes given; `label`,
+        `color` and `width` as `rollerscrew.plots.draw` has them. Raises ValueError where the result
+        has no such picture, or nothing to draw.
         """
         from rollerscrew import plots
 
         chosen = {option: value for option, value in options.items() if value is not None}
         described = self._pictured().figure(name, json.dumps(chosen), ax is not None)
-        return plots.draw(json.loads(described), ax, label=label, color=color)
+        return plots.draw(json.loads(described), ax, label=label, color=color, width=width)
 
     def explain(self, path: str = "") -> str:
         """What a quantity is, with unit, formula, validity and source: `prs --explain`.

@@ -21,7 +21,7 @@ def size(
 ) -> SizeResult:
     """Candidates against a requirement: a file, or its blocks as a dictionary.
 
-    `set` replaces values as `--set` does it. `to_frame()` of the answer has a row per candidate,
+    `set` replaces values as `--set` does it. `to_frame()` of the answer has one row per candidate,
     in the order of their ranks.
 
     Parameters

@@ -200,7 +200,7 @@ def _is_plain_text(text: str) -> bool:
 
 
 def case_text(blocks: Mapping[str, Any]) -> str:
-    """The YAML text of a case, a line each of its values, so that messages can name the line."""
+    """The YAML text of a case, one line per value, so that messages can name the line."""
     return _block(plain(blocks), 0) or "{}\n"
 
 

@@ -68,6 +68,9 @@ _TRAVEL_VECTORS = {
     "nut_moment_Nm": ("nut_reaction", "moment_Nm", "yz"),
 }
 
+#: What tells load cases apart: `loads` says `static`, of a screw at rest, or `running`.
+_OF_CASE: Kinds = {"case": str, "axial_force_N": float, "loads": str}
+
 #: Load cases by their places or names: one, or several.
 Which = int | str | Iterable[int | str]
 
@@ -142,7 +145,7 @@ class CheckViews(Result):
     input: list[InputValue]
 
     def to_frame(self) -> pd.DataFrame:
-        """Path, value, whether it is a default, and what the value rests on, a row each."""
+        """Path, value, whether it is a default, and what the value rests on, one row per input."""
         return frame_of([value.to_dict() for value in self.input], kinds_of(InputValue))
 
     def plot_contact_points(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
@@ -188,7 +191,7 @@ class LoadCasesResult(Result):
         return [self._place(each) for each in chosen]
 
     def load_cases_frame(self) -> pd.DataFrame:
-        """Force, status, displacement and stiffness, one row per load case."""
+        """Force, `loads` (static or running), displacement and stiffness, one row per load case."""
         kinds = {
             "case" if name == "name" else name: kind
             for name, kind in kinds_of(LoadCase).items()
@@ -205,19 +208,19 @@ class LoadCasesResult(Result):
         return frame_of(rows, kinds)
 
     def _frame_of(self, key: str, kind: type[Record]) -> pd.DataFrame:
-        """What a record of load cases holds, a row each; of one that failed its status."""
+        """Values of a record, one row per load case; of one that failed its status."""
         rows = []
         for case in self._load_cases:
-            row = {"case": case.name, "axial_force_N": case.axial_force_N}
+            row = {"case": case.name, "axial_force_N": case.axial_force_N, "loads": case.loads}
             failed = {} if case.converged else {"converged": False, "status": case.status}
             rows.append(row | (dict(flat(case[key])) if key in case else failed))
-        told: Kinds = {"case": str, "axial_force_N": float}
-        return frame_of(rows, {**told, **kinds_of(kind)})
+        return frame_of(rows, {**_OF_CASE, **kinds_of(kind)})
 
     def threads_frame(self) -> pd.DataFrame:
         """Loads, ellipses and pressures, one row per load case, interface and thread.
 
-        None of a load case that did not converge, see `load_cases_frame`.
+        The column `loads` says `static`, at rest, or `running`, with the friction of a screw that
+        turns. None of a load case that did not converge, see `load_cases_frame`.
         """
         return self._by_case(((case, case) for case in self._load_cases), InterfaceLoads)
 
@@ -266,7 +269,7 @@ class LoadCasesResult(Result):
         """The threads of records of load cases, with what tells these apart."""
         told: Kinds = {
             "case": str, "axial_force_N": float, "direction": str, "position_mm": float,
-            "interface": str,
+            "loads": str, "interface": str,
         }  # fmt: skip
         parts = (
             (
@@ -275,6 +278,7 @@ class LoadCasesResult(Result):
                     "axial_force_N": case.get("axial_force_N", np.nan),
                     "direction": case.get("direction", ""),
                     "position_mm": case.get("position_mm", np.nan),
+                    "loads": case.get("loads", ""),
                     "interface": interface,
                 },
                 record[interface],
@@ -292,7 +296,7 @@ class ContactViews(LoadCasesResult):
     __slots__ = ()
 
     def to_frame(self) -> pd.DataFrame:
-        """Contact quantities, one column per interface; of pairs and vectors a row each number."""
+        """Contact quantities, one column per interface; a vector has one row per number."""
         import pandas as pd
 
         return pd.DataFrame({name: _numbers(self["contact"][name]) for name in INTERFACES})
@@ -384,8 +388,7 @@ class SlipViews(SolveViews):
         Without a block `heat` there are no rows.
         """
         if not any("heat" in case for case in self._load_cases):
-            told: Kinds = {"case": str, "axial_force_N": float}
-            return frame_of([], {**told, **kinds_of(Heat)})
+            return frame_of([], {**_OF_CASE, **kinds_of(Heat)})
         return self._frame_of("heat", Heat)
 
     def heat_cycle_frame(self) -> pd.DataFrame:
@@ -416,13 +419,13 @@ class SlipViews(SolveViews):
     def plot_power_by_source(
         self, load_cases: Which | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
-        """Where the power goes, a bar a load case."""
+        """Where the power goes, one bar per load case."""
         return self.plot_figure("power_by_source", ax, **look, load_cases=self._places(load_cases))
 
     def plot_friction(
         self, load_case: int | str | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
-        """Friction coefficient and sliding speed of each thread."""
+        """Friction coefficient of each thread, and sliding speed at the centre of its contact."""
         return self.plot_figure("friction", ax, **look, load_case=self._one(load_case))
 
     def plot_stribeck(
@@ -511,7 +514,7 @@ class CompareViews(Result):
     references: list[ComparedReference] | None
 
     def references_frame(self) -> pd.DataFrame:
-        """Deviations of each model from each reference, a row each."""
+        """Deviations of each model from each reference, one row each."""
         import pandas as pd
 
         own = ("name", "load_case", "response", "unit")
@@ -525,7 +528,7 @@ class CompareViews(Result):
         return pd.DataFrame(rows) if rows else pd.DataFrame(columns=[*own, "model", "met"])
 
     def plot_references(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
-        """References as points and models as lines, a panel per load case and response."""
+        """References as points and models as lines, one panel per load case and response."""
         return self.plot_figure("references", ax, **look)
 
     def to_frame(self) -> pd.DataFrame:
@@ -571,7 +574,7 @@ class ResponseViews(Result):
     response: Response
 
     def to_frame(self) -> pd.DataFrame:
-        """One row per sample, a column per series under its key."""
+        """One row per sample, one column per series under its key."""
         series = {k: v for k, v in self.response.items() if isinstance(v, np.ndarray)}
         rows = [dict(zip(series, row, strict=True)) for row in zip(*series.values(), strict=True)]
         return frame_of(rows, dict.fromkeys(series, float))
@@ -596,7 +599,7 @@ class ResponseViews(Result):
 def _fit_note(one: FittedParameter) -> str:
     """What an interval says of a value that counts as identified."""
     if not one.identified:
-        return "not identified: the data do not tell it"
+        return "not identified: the data do not determine it"
     if one.at_bound:
         return f"ends at its bound `{one.at_bound}`"
     if one.low is None or one.high is None:
@@ -623,7 +626,7 @@ class FitViews(Result):
         return frame_of([dict(flat(one)) for one in self.fit.parameters], {"name": str})
 
     def to_frame(self) -> pd.DataFrame:
-        """`parameters_frame` with a `note` where the data hardly tell a value."""
+        """`parameters_frame` with a `note` where the data hardly determine a value."""
         return self.parameters_frame().assign(note=[*map(_fit_note, self.fit.parameters)])
 
     def __repr__(self) -> str:
@@ -698,7 +701,7 @@ class LifeViews(Result):
         return _threads_frame(self._interfaces(), self._told, InterfaceLife)
 
     def rollers_frame(self) -> pd.DataFrame:
-        """The threads of all rollers of a full mechanism, a row each; empty of one sector."""
+        """The threads of all rollers of a full mechanism, one row each; empty for a sector."""
         parts = [
             (names, each["rollers"]) for names, each in self._interfaces() if "rollers" in each
         ]
@@ -786,7 +789,7 @@ class StudyViews(Result):
         if self._designs is None:
             if self._rows is not None and self._study is not None:
                 source = self._case._case.source
-                designs = study_designs(source, self._study, self._rows)
+                designs = study_designs(source, self._study, self._rows, self.study.command)
             else:
                 designs = _designs_of_document(self)
             object.__setattr__(self, "_designs", designs)
@@ -843,7 +846,7 @@ class StudyViews(Result):
     def plot(
         self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
-        """A response over the numeric factor with most values, a line each value of the others."""
+        """A response over the numeric factor with most values, one line per value of the others."""
         return self.plot_figure("lines", ax, **look, response=response)
 
     def plot_map(

@@ -134,6 +134,7 @@ def test_grids_have_their_inputs_as_dimensions() -> None:
     assert maps[STIFFNESS].attrs["units"] == "N/µm"
     assert designs[:5].to_xarray()[STIFFNESS].dims == ("design",)
     assert maps.attrs["prs_version"] == rs.__version__
+    assert (maps.attrs["command"], maps.attrs["loads"]) == ("solve", "at rest")
     assert maps.attrs["input_sha256"] == lesson(1).solve().input_sha256
     assert all("units" in variable.attrs for name, variable in maps.items() if name != "status")
     assert all(coordinate.attrs["units"] for name, coordinate in maps.coords.items() if "_" in name)

@@ -494,7 +494,7 @@ def assert_labels_have_units(ax: Axes) -> None:
     for axes in ax.figure.axes:
         for label in (axes.get_xlabel(), axes.get_ylabel()):
             has_unit = re.search(
-                r"\((mm|µm|kN|%|N/µm|MPa|W|.*revolutions|kN/kg|mm/s|µm/kN|N|s|°C)\)", label
+                r"\((mm|µm|kN|%|N/µm|GPa|W|.*revolutions|kN/kg|mm/s|µm/kN|N|s|°C)\)", label
             )
             counts = label.startswith(("Thread", "Size by", "Factor over", "Cycles", "Envelope"))
             assert not label or has_unit or counts or label in bare, label
@@ -571,7 +571,7 @@ def test_options_choose_what_is_drawn() -> None:
     studied = result(16, "study")
     ax = studied.plot_map("screw.peak_pressure_MPa.max", y="load_cases[0].position")
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("Axial force (kN)", "Position (mm)")
-    assert other_axes(ax)[0].get_ylabel() == "Max screw peak pressure (MPa)"
+    assert other_axes(ax)[0].get_ylabel() == "Max screw peak pressure (GPa)"
 
 
 def test_pictures_survive_in_json() -> None:
@@ -703,6 +703,59 @@ def test_results_are_compared() -> None:
         plots.compare(results, "nope")
 
 
+def test_loads_and_stiffness_say_at_rest_or_running() -> None:
+    case = rs.new("standard", screw_diameter="30 mm", lead="10 mm", speed="1500 rpm")
+    solved, run = case.solve(), case.slip()
+    assert (
+        solved.load_cases[0].axial_stiffness_N_per_um != run.load_cases[0].axial_stiffness_N_per_um
+    )
+    for result, loads, words in ((solved, "static", "at rest"), (run, "running", "running")):
+        assert words in repr(result) and words in repr(result.load_cases[0])
+        assert words in result._repr_html_() and words in result.load_cases[0]._repr_html_()
+        assert set(result.load_cases_frame()["loads"]) == {loads}
+        assert set(result.threads_frame()["loads"]) == {loads}
+        ax = result.plot_load_distribution()
+        figure: Any = ax.figure
+        assert figure.legends[0].get_title().get_text().replace("\n", " ").endswith(words)
+    stiffness = case.responses("slip").set_index("path").loc["axial_stiffness_N_per_um"]
+    assert stiffness["loads"] == "running"
+    assert set(run.slip_frame()["loads"]) == {"running"}
+
+
+@pytest.mark.parametrize("width", [85.0, 180.0])
+@pytest.mark.parametrize(
+    "name", ["load_distribution", "peak_pressure", "contact_xy", "convergence"]
+)
+def test_a_figure_has_the_width_of_a_column(name: str, width: float) -> None:
+    ax = answer(1, "solve", rs.SolveResult).plot_figure(name, width=width)
+    figure: Any = ax.figure
+    assert figure.get_figwidth() * 25.4 == pytest.approx(width)
+    assert_complete(ax)
+    columns = {round(axes.get_window_extent().x0) for axes in figure.axes}
+    assert len(columns) == 1 or width > 100.0
+
+
+def test_a_width_is_that_of_a_new_figure() -> None:
+    results = {"a": answer(1, "solve", rs.SolveResult), "b": answer(2, "solve", rs.SolveResult)}
+    compared = plots.compare(results, "load_distribution", width=85.0, load_cases=[0, 1, 2])
+    assert compared.figure.get_figwidth() * 25.4 == pytest.approx(85.0)  # type: ignore[union-attr]
+    assert_complete(compared)
+    with pytest.raises(ValueError, match="width: got it with `ax`"):
+        draw(shares(), plt.subplots()[1], width=85.0)
+    with pytest.raises(ValueError, match="width: got 8.5; expected 40 to 500, in mm"):
+        draw(shares(), width=8.5)
+
+
+def test_the_last_point_of_a_long_line_has_a_mark() -> None:
+    for count in (41, 50, 100, 997):
+        parts = [[[k, 1.0] for k in range(count)]]
+        ax = draw(
+            one_panel({"series": [{"style": 0, "parts": parts}]}, styles=[{"mark": "circle"}])
+        )
+        marked: Any = ax.get_lines()[0].get_markevery()
+        assert marked[0] == 0 and marked[-1] == count - 1 and 12 <= len(marked) <= 15
+
+
 def test_a_colour_may_be_given() -> None:
     ax = answer(1, "solve", rs.SolveResult).plot_load_distribution(0, color="red", label="mine")
     assert {matplotlib.colors.to_hex(each) for each in colours(ax)} == {"#ff0000"}
@@ -731,5 +784,5 @@ def test_axes_that_are_given_make_room_once() -> None:
     for name in ("two", "three", "four"):
         result.plot_pressures(0, ax=ax, label=name)
     assert ax.get_ylim()[1] < 2.0 * first
-    limit = [line for line in ax.lines if list(line.get_ydata()) == [4000.0, 4000.0]]
+    limit = [line for line in ax.lines if list(line.get_ydata()) == [4.0, 4.0]]
     assert len({matplotlib.colors.to_hex(line.get_color()) for line in limit}) == 1

@@ -340,14 +340,25 @@ def test_records_are_mappings(case_record: records.LoadCase) -> None:
     assert 5 not in case_record and None not in case_record
     assert set(keys) <= set(dir(case_record))
     assert dict(case_record.items())["name"] == case_record.name == case_record["name"]
-    assert repr(case_record) == f"<LoadCase: {', '.join(keys)}>"
+    assert repr(case_record) == (
+        "<LoadCase config1-tension, at rest, converged: "
+        f"{', '.join(keys[:6])}, .. {len(keys) - 6} others>"
+    )
 
 
 def test_what_is_absent_says_what_there_is(case_record: records.LoadCase) -> None:
     with pytest.raises(AttributeError, match="'slap' is not defined by this case; there is name, "):
         _ = case_record.slap  # type: ignore[attr-defined]
-    with pytest.raises(KeyError, match="'slip' is not defined by this case; there is name, "):
+    with pytest.raises(
+        KeyError, match="'slip' .* by this case; it needs the command `slip`; there"
+    ):
         _ = case_record["slip"]
+    with pytest.raises(
+        KeyError, match=r"it needs `load_cases\[config1-tension\].travel`; there is"
+    ):
+        _ = case_record["travel"]
+    with pytest.raises(KeyError, match="it needs `heat`; there is name, "):
+        _ = answer(9, "slip", rs.SlipResult).load_cases[0]["heat"]
     assert case_record.slip is None
     assert case_record.get("slip") is None
     assert case_record.get("slip", 5) == 5

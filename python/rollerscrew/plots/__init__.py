@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from rollerscrew.plots._again import limits_of_both, next_colour, relabelled, shown_once, was_drawn
-from rollerscrew.plots._figure import keep_ticks, new_axes, panel_aspect
+from rollerscrew.plots._figure import keep_ticks, new_axes, of_width, panel_aspect
 from rollerscrew.plots._legend import (
     characters,
     colour_bar,
@@ -38,6 +38,7 @@ def draw(
     *,
     label: str | None = None,
     color: Any = None,
+    width: float | None = None,
 ) -> Axes:
     """Draws a description and returns the axes, of several panels those of the first.
 
@@ -56,6 +57,9 @@ def draw(
         Name in the legend.
     color : optional
         A colour of matplotlib.
+    width : float, optional
+        Width of a new figure in mm: 85 for one column of a journal. Its panels stand below each
+        other where they would be narrow, and its legend above them.
 
     Returns
     -------
@@ -64,11 +68,11 @@ def draw(
     Raises
     ------
     ValueError
-        Where a picture of several panels is drawn into axes.
+        Where a picture of several panels is drawn into axes, or these are given a width.
     """
     if color is None and ax is not None and was_drawn(ax):
         color = next_colour(ax)
-    description = relabelled(description, label, color)
+    description = of_width(relabelled(description, label, color), width, ax)
     if ax is None:
         with new_axes(description) as axes:
             _draw_panels(list(axes), description, own=True)
@@ -89,7 +93,12 @@ def draw(
 
 
 def compare(
-    results: Mapping[str, Any], picture: str, ax: Axes | None = None, **options: Any
+    results: Mapping[str, Any],
+    picture: str,
+    ax: Axes | None = None,
+    *,
+    width: float | None = None,
+    **options: Any,
 ) -> Axes:
     """One picture of several results, each with a colour and its name in the legend.
 
@@ -106,6 +115,8 @@ def compare(
         Name of the picture.
     ax : matplotlib.axes.Axes, optional
         Where it is drawn; without it in a new figure.
+    width : float, optional
+        Width of a new figure in mm.
     **options : Any
         Those of the method that draws it.
 
@@ -137,12 +148,13 @@ def compare(
                 f"{', '.join(dict.fromkeys([*known, *drawn]))}"
             )
     if ax is None:
-        with new_axes({"panels": [{"x": {}, "y": {}}], "legend": []}) as (ax,):
+        described = {"panels": [{"x": {}, "y": {}}], "legend": []}
+        with new_axes(of_width(described, width, ax)) as (ax,):
             compare(results, picture, ax, **options)
-            legend_of_compared(ax)
+            legend_of_compared(ax, grows=width is None)
             return ax
     for name, result in results.items():
-        look = {"ax": ax, "label": name, "color": next_colour(ax)}
+        look = {"ax": ax, "label": name, "color": next_colour(ax), "width": width}
         if hasattr(result, _method_of(picture)):
             getattr(result, _method_of(picture))(**look, **options)
         else:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from rollerscrew.plots._legend import stands_beside
 
@@ -17,6 +18,8 @@ STYLE = Path(__file__).with_name("paper.mplstyle")
 #: Widths of a figure, mm, by the columns of its panels: one column of a paper, one and a half, two.
 _WIDTHS_MM = {1: 88.0, 2: 136.0}
 _WIDEST_MM = 180.0
+_LEAST_PANEL_MM = (40.0, 60.0)  #: Panels with less stand below each other; with own axes or bars.
+_WIDTH_LIMITS_MM = (40.0, 500.0)
 _ASPECT = 0.64
 _ASPECT_IN_SPACE = 0.85
 _LEAST, _MOST = 0.1, 1.0  #: Of what is to scale: the other axis is widened.
@@ -24,6 +27,22 @@ _LABELS_MM = (13.0, 10.0)  #: What labels and ticks take of the width and height
 _TITLE_MM = 4.5
 _BAR_MM = 15.0
 _LONG_TICK = 12  #: Characters.
+
+
+def of_width(
+    description: Mapping[str, Any], width: float | None, ax: Axes | None
+) -> Mapping[str, Any]:
+    """The description for a new figure of a width in mm, with the columns that have room in it."""
+    if width is None:
+        return description
+    if ax is not None:
+        raise ValueError("width: got it with `ax`; given axes have the size of their figure")
+    least, most = _WIDTH_LIMITS_MM
+    if not least <= width <= most:
+        raise ValueError(f"width: got {width}; expected {least:g} to {most:g}, in mm")
+    alone = "colours" in description or any("y" in panel for panel in description["panels"])
+    columns = max(1, min(_columns(description), int(width / _LEAST_PANEL_MM[alone])))
+    return {**description, "columns": columns, "width_mm": float(width)}
 
 
 @contextmanager
@@ -82,18 +101,16 @@ def _inches(description: Mapping[str, Any]) -> tuple[float, float]:
     ticks = panel_axis(description, 0, "y").get("ticks", [])
     beside = max((len(tick.get("text", "")) for tick in ticks), default=0)
     wide = stands_beside(description) or beside > _LONG_TICK or panel_aspect(description) < 0.4
-    width = _WIDTHS_MM.get(max(columns, 2 if wide else 1), _WIDEST_MM)
+    width = description.get("width_mm") or _WIDTHS_MM.get(max(columns, 1 + wide), _WIDEST_MM)
     labelled = columns if any("y" in panel for panel in description["panels"]) else 1
     room = width - labelled * _LABELS_MM[0] - (1.2 * beside if beside > 4 else 0.0)
-    if "colours" in description:
-        room -= _BAR_MM
-    if stands_beside(description):
-        room -= 40.0
+    room -= _BAR_MM * ("colours" in description) + 40.0 * stands_beside(description)
     panel = room / (columns - 1 + float(description.get("overview") or 1.0))
     labelled = rows if any("x" in panel for panel in description["panels"]) else 1
     titled = any(panel.get("title") for panel in description["panels"])
-    height = rows * (panel * panel_aspect(description) + (_TITLE_MM if titled else 0.0) + 2.0)
-    return width / 25.4, (height + labelled * _LABELS_MM[1]) / 25.4
+    lines = 2 if panel < _LEAST_PANEL_MM[0] else 1  # Of titles, which are as long in narrow panels.
+    height = rows * (panel * panel_aspect(description) + lines * _TITLE_MM * titled + 2.0)
+    return width / 25.4, (height + lines * labelled * _LABELS_MM[1]) / 25.4
 
 
 def _axes(figure: Any, description: Mapping[str, Any]) -> list[Axes]:
@@ -135,15 +152,8 @@ def keep_ticks(ax: Axes) -> None:
     import matplotlib
 
     style: Any = matplotlib.rcParams
-    axes: tuple[Literal["x", "y"], ...] = ("x", "y")
-    kinds: tuple[Literal["major", "minor"], ...] = ("major", "minor")
-    for axis in axes:
-        for which in kinds:
-            ax.tick_params(
-                axis=axis,
-                which=which,
-                direction=style[f"{axis}tick.direction"],
-                length=style[f"{axis}tick.{which}.size"],
-                width=style[f"{axis}tick.{which}.width"],
-                labelsize=style[f"{axis}tick.labelsize"],
-            )
+    for axis, which in product("xy", ("major", "minor")):
+        look = {key: style[f"{axis}tick.{key}"] for key in ("direction", "labelsize")}
+        look |= {"length": style[f"{axis}tick.{which}.size"]}
+        look |= {"width": style[f"{axis}tick.{which}.width"]}
+        ax.tick_params(axis=axis, which=which, **look)  # type: ignore[arg-type]

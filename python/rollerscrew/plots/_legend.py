@@ -66,7 +66,8 @@ def keys(description: Mapping[str, Any]) -> list[Artist]:
 
 def stands_beside(description: Mapping[str, Any]) -> bool:
     """Whether the legend of a new figure stands beside its panel, not above."""
-    return len(description["panels"]) == 1 and len(description.get("legend", [])) > _MOST_ABOVE
+    entries, is_free = len(description.get("legend", [])), "width_mm" not in description
+    return len(description["panels"]) == 1 and entries > _MOST_ABOVE and is_free
 
 
 def legend_of_figure(figure: Figure, description: Mapping[str, Any]) -> None:
@@ -75,15 +76,15 @@ def legend_of_figure(figure: Figure, description: Mapping[str, Any]) -> None:
     _legend_outside(figure, keys(description), description.get("title", ""), beside)
 
 
-def legend_of_compared(ax: Axes) -> None:
-    """Moves title and legend of the only axes of a figure out of them."""
+def legend_of_compared(ax: Axes, grows: bool) -> None:
+    """Moves title and legend of the only axes of a figure out of them; beside, where it grows."""
     handles, titles = getattr(ax, KEYS, []), getattr(ax, TITLES, [])
     if (made := ax.get_legend()) is not None:
         made.remove()
     ax.set_title("")
     leave_room(ax)
     figure = figure_of(ax)
-    beside = len(handles) > _MOST_ABOVE
+    beside = grows and len(handles) > _MOST_ABOVE
     if beside:
         figure.set_figwidth(figure.get_figwidth() + _BESIDE_MM / 25.4)
     _legend_outside(figure, handles, titles[0] if len(titles) == 1 else "", beside)

@@ -32,22 +32,14 @@ _DASHES: dict[str, Any] = {
     "dotted": (0, (1, 1.2)),
     "dash_dotted": (0, (4, 1.2, 1, 1.2)),
 }
-_MARKS = {
-    "none": "",
-    "circle": "o",
-    "square": "s",
-    "triangle": "^",
-    "diamond": "D",
-    "down": "v",
-    "plus": "+",
-    "cross": "x",
-    "star": "*",
-}
+_MARKS = {"none": ""} | dict(
+    zip("circle square triangle diamond down plus cross star".split(), "os^Dv+x*", strict=True)
+)
 _MARK_SIZES = {"star": 2.2, "plus": 1.4, "cross": 1.3}
 _WEIGHTS = {"thin": 0.6, "normal": 1.0, "strong": 1.6}
 _POINT_WEIGHTS = {"thin": 0.45, "normal": 1.0, "strong": 1.4}
 
-#: Lines of more points have about a dozen marks; clouds of more have small ones.
+#: Lines of more points have about a dozen marks, the last one too; clouds of more small ones.
 _MOST_MARKS = 40
 _MOST_LARGE_POINTS = 400
 
@@ -84,7 +76,7 @@ def line_look(style: Mapping[str, Any], points: int = 0) -> dict[str, Any]:
         if points > _MOST_LARGE_POINTS:
             look |= {"markersize": 0.6 * look["markersize"], "markeredgewidth": 0.0, "alpha": 0.7}
     elif points > _MOST_MARKS:
-        look["markevery"] = -(-points // 12)
+        look["markevery"] = sorted({*range(0, points, points // 12), points - 1})
     return look
 
 

@@ -95,14 +95,31 @@ TEST(Figures, ButterflyHasTensionOnThePositiveSideAndSharesOfTheMean) {
 TEST(Figures, PressuresStandBelowTheirLimit) {
   const auto figure = picture(sweeps(), "peak_pressure");
   ASSERT_TRUE(figure);
-  for (const Panel& panel : figure->panels) EXPECT_DOUBLE_EQ(panel.references.at(0).at, 4000.0);  // ISO 76
+  for (const Panel& panel : figure->panels) EXPECT_DOUBLE_EQ(panel.references.at(0).at, 4.0);  // ISO 76
   EXPECT_EQ(figure->legend.back().title, "static limit 4.0 GPa, ISO 76");
-  EXPECT_GT(figure->y.to, 4000.0);
+  EXPECT_EQ(figure->y.unit, "GPa");
+  EXPECT_GT(figure->y.to, 4.0);
 }
 
 TEST(Figures, OfThreadsBeginAtZero) {
   for (const char* name : {"load_distribution", "peak_pressure", "stiffness", "displacement"})
     EXPECT_EQ(picture(sweeps(), name)->y.from, 0.0) << name;
+}
+
+TEST(Figures, WhatTheirAxesDoNotReachIsNotInTheLegend) {
+  Figure figure{"lines", "Lines", {"x", "", 0.0, 2.0}, {"y", "", 0.0, 1.0}};
+  Panel& panel = figure.panels.emplace_back();
+  panel.series = {{figure.add("above", line_of(Colour::blue)), {{{0.0, 5.0}, {2.0, 4.0}}}},
+                  {figure.add("across", line_of(Colour::green)), {{{0.0, -5.0}, {2.0, 4.0}}}},
+                  {figure.add("beside", points_of(Colour::sky, Mark::circle)), {{{3.0, 0.5}}}},
+                  {figure.add("at the end", points_of(Colour::ink, Mark::circle)), {{{2.0, 1.0}}}}};
+  figure.add("meaning", {});
+  const auto titles = [](const Figure& of) {
+    std::vector<std::string> all;
+    for (const LegendEntry& entry : of.legend) all.push_back(entry.title);
+    return all;
+  };
+  EXPECT_THAT(titles(with_true_legend(figure)), ::testing::ElementsAre("across", "at the end", "meaning"));
 }
 
 TEST(Figures, LinesUnderOthersAreNamed) {

@@ -102,12 +102,12 @@ TEST(PageSvg, HasAnImageForEachPanel) {
   Figure figure{"two", "Two panels"};
   figure.columns = 2;
   figure.x = {"Thread", "", 0.0, 2.0};
-  figure.y = {"Peak pressure", "MPa", 0.0, 4000.0};
+  figure.y = {"Peak pressure", "GPa", 0.0, 4.0};
   const std::size_t line = figure.add("a < b", line_of(Colour::blue));
   for (const char* title : {"left", "right"}) {
     Panel& panel = figure.panels.emplace_back();
     panel.title = title;
-    panel.series = {{line, {{{0.0, 0.0}, {2.0, 2000.0}}}}};
+    panel.series = {{line, {{{0.0, 0.0}, {2.0, 2.0}}}}};
   }
   const std::string drawn = svg(figure, "f");
   EXPECT_EQ(count_of(drawn, "class=\"half\" role=\"img\""), 2u);

@@ -32,24 +32,28 @@ TEST(StudyFigures, OfOneFactorAtATimeLeaveGaps) {
   EXPECT_THAT(lines[1].parts, ElementsAre(Polyline{{2.0, 20.0}}));
 }
 
-TEST(StudyFigures, ForcesOfTenKilonewtonsAndMoreAreInKilonewtons) {
-  const auto drawn = [](double largest) {
+TEST(StudyFigures, ForcesOfAThousandNewtonsAreInKilonewtonsAndPressuresInGigapascals) {
+  const auto drawn = [](double largest, const char* response) {
     Study study;
     study.plan = Plan::grid;
     std::vector<double> many;
     for (int k = 1; k <= 10; ++k) many.push_back(0.1 * k);
     study.factors = {sample::counted("x", many), sample::counted("y", many)};
-    study.responses = {"measures.dynamic_capacity_N"};
+    study.responses = {response};
     const StudyResult result =
         sample::run(study, [&](const std::vector<double>& x) { return std::vector{largest * x[0] * x[1]}; });
     return figure(study_pictures(result), "map", {});
   };
-  const Figure large = drawn(2e4), small = drawn(9e3);
+  const char* capacity = "measures.dynamic_capacity_N";
+  const Figure large = drawn(2e4, capacity), small = drawn(900.0, capacity);
   EXPECT_EQ(large.colours->unit, "kN");
   EXPECT_EQ(large.colours->to, 20.0);
   EXPECT_DOUBLE_EQ(std::ranges::max(large.panels[0].map.grid.values), 20.0);
   EXPECT_EQ(small.colours->unit, "N");
-  EXPECT_DOUBLE_EQ(std::ranges::max(small.panels[0].map.grid.values), 9e3);
+  EXPECT_DOUBLE_EQ(std::ranges::max(small.panels[0].map.grid.values), 900.0);
+  const Figure pressure = drawn(2500.0, "screw.peak_pressure_MPa.max");
+  EXPECT_EQ(pressure.colours->unit, "GPa");
+  EXPECT_DOUBLE_EQ(std::ranges::max(pressure.panels[0].map.grid.values), 2.5);
 }
 
 Study slip_study() {

@@ -41,6 +41,28 @@ TEST(Ticks, OfAReversedAxisAreThoseOfTheAxis) {
   }
 }
 
+/// Line of `points` circles, of which there are as many as marks in the picture.
+std::size_t marks_of_line(int points) {
+  Figure figure;
+  figure.x = {"Thread", "", 0.0, 101.0};
+  figure.y = {"Load", "N", 0.0, 2.0};
+  figure.styles.push_back(line_of(Colour::blue));
+  figure.styles.back().mark = Mark::circle;
+  Series& series = figure.panels.emplace_back().series.emplace_back();
+  for (int k = 1; k <= points; ++k) series.add(k, k == points ? 2.0 : 1.0);
+  const std::string drawn = svg_file(figure);
+  std::size_t count = 0;
+  for (std::size_t at = drawn.find("a5 5 0 1 0 10"); at != std::string::npos; at = drawn.find("a5 5 0 1 0 10", at + 1))
+    ++count;
+  return count;
+}
+
+TEST(Marks, EachThreadHasOneAndTheLastOfALongLineToo) {
+  for (const int points : {1, 12, 20, 29, 40}) EXPECT_EQ(marks_of_line(points), static_cast<std::size_t>(points));
+  EXPECT_EQ(marks_of_line(49), 13u);   // Every fourth, of which the last is one.
+  EXPECT_EQ(marks_of_line(100), 14u);  // Every eighth, and the last.
+}
+
 TEST(Ticks, APictureOfWhatRoundingAloneMovesIsDrawn) {
   Figure figure;
   figure.x = {"Time", "s", 0.0, 1.0};
