@@ -26,7 +26,9 @@ struct MostLoaded {
   const std::vector<double>& shares() const { return loads->load_rate; }
 };
 
-std::optional<double> largest_of(const std::vector<double>& values) { return entry(values, index_of_largest(values)); }
+std::optional<double> largest_of(const std::vector<double>& values) {
+  return entry_if_any(values, index_of_largest(values));
+}
 
 std::optional<double> over(std::optional<double> value, std::optional<double> best) {
   if (!value || !best || *best == 0.0) return std::nullopt;
@@ -194,7 +196,7 @@ std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
       for (const Interface i : kInterfaces) {
         const std::vector<double> shares = r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
         csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
-        csv.number(entry(shares, index_of_largest(shares)), "%"_per_si);
+        csv.number(entry_if_any(shares, index_of_largest(shares)), "%"_per_si);
       }
       csv.row(scaled(largest_pressure(r), "MPa"_per_si), pressure_over_best(m));
     }

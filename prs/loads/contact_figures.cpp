@@ -202,7 +202,7 @@ Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface
 /// The three threads cut parallel to their axes: the section is stepped at the roller's axis and passes through the
 /// contact points on both sides, so that the loaded flanks touch as they do in space. An overview and each contact
 /// enlarged (Sandu 2018, figs. 1.8, 1.9). Parts of different pitch touch at one thread.
-Figures contact_axial_section(const Contacts& contacts) {
+Figure contact_axial_section(const Contacts& contacts) {
   if (!has_contact_points(contacts)) return {};
   const Section section = section_of(contacts);
   Figure figure{"contact_axial_section", "Section through I and J, configuration I1J2, " + mechanism_title(contacts)};
@@ -217,7 +217,7 @@ Figures contact_axial_section(const Contacts& contacts) {
   whole.y = axis_about("x from the screw axis", section.inside + half, half);
   for (const Interface i : {Interface::nut, Interface::screw})
     figure.panels.push_back(contact_panel(contacts, section.cuts[i], i, lines));
-  return {std::move(figure)};
+  return figure;
 }
 
 /// A pitch circle in the projection along the axis [m].
@@ -330,7 +330,7 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
 
 /// Pitch circles of all parts along the axis and each contact point enlarged, with the angles
 /// between the line of centres and the point about both axes.
-Figures contact_xy(const Contacts& contacts) {
+Figure contact_xy(const Contacts& contacts) {
   if (!has_contact_points(contacts)) return {};
   Figure figure{"contact_xy", "Contact points seen along the axis, " + mechanism_title(contacts)};
   figure.columns = 2;
@@ -339,7 +339,7 @@ Figures contact_xy(const Contacts& contacts) {
   add_circle_styles(figure);
   figure.panels = {mechanism_panel(contacts), contact_panel(contacts, Interface::nut),
                    contact_panel(contacts, Interface::screw)};
-  return {std::move(figure)};
+  return figure;
 }
 
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
@@ -449,7 +449,7 @@ std::string state_title(const PerInterface<std::optional<LoadedThread>>& at) {
 /// Both contact ellipses with the principal directions of both bodies, in the tangent planes and seen from outside the
 /// roller (Sandu 2018, fig. 1.16; Yao 2023, fig. 5): under the largest normal load of the cases, or with unit major
 /// semi-axes if no case has ellipses. Absent also if the relative curvatures give no ellipse.
-Figures contact_ellipses(const Result& result, const FigureOptions&) {
+Figure contact_ellipses(const Result& result, const FigureOptions&) {
   const Contacts& contacts = result.contacts;
   if (!has_contact_points(contacts)) return {};
   const PerInterface<std::optional<LoadedThread>> at = {most_loaded(result, Interface::screw),
@@ -471,7 +471,7 @@ Figures contact_ellipses(const Result& result, const FigureOptions&) {
   const char* unit = loaded ? "mm" : "semi-major axes";
   figure.x = {"along the roller helix", unit, -1.55 * largest, 1.55 * largest};
   figure.y = {"across the flank", unit, -1.55 * largest, 1.55 * largest};
-  return {std::move(figure)};
+  return figure;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <regex>
 
+#include "prs/indices.h"
 #include "prs/input/units.h"
 #include "prs/text.h"
 
@@ -273,7 +274,7 @@ std::string bar_chart(const PerInterface<std::vector<double>>& values, int decim
     return fmt::format("{} {:.{}f} {}", bar(value, largest), value, decimals, unit);
   };
   std::string chart = fmt::format("     {}  nut\n", padded("screw", kBarColumn, true));
-  for (std::size_t k = 0; k < values.screw.size(); ++k)
+  for (const auto k : indices(values.screw))
     chart += fmt::format("{:3}  {}  {}\n", k + 1, padded(bar_and_value(values.screw[k]), kBarColumn, true),
                          bar_and_value(values.nut[k]));
   return chart;

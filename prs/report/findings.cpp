@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "modules/module.h"
+#include "prs/indices.h"
 #include "prs/model/check_case.h"
 #include "prs/output/files.h"
 #include "prs/report/tables.h"
@@ -21,7 +22,7 @@ std::vector<Warning> warnings_of(const Findings& all) {
     if (answer.command == Command::compare &&
         all.answer(Command::solve))  // The page shows the loads of the case's model.
       std::erase_if(its, [](const Warning& warning) { return !warning.code.starts_with("reference_"); });
-    std::ranges::move(its, std::back_inserter(warnings));
+    append(warnings, its);
   }
   return warnings;
 }
