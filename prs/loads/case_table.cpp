@@ -256,10 +256,10 @@ int force_decimals(double force) {
 }
 
 std::string WarningGroup::text() const {
-  if (differs || !several_paths) return sentence(worst);
+  if (differs || !several_paths) return table_sentence(worst);
   Warning all = worst;
   all.path = "load_cases[..]" + without_load_case(worst.path);
-  return sentence(all);
+  return table_sentence(all);
 }
 
 std::string WarningGroup::where() const {
@@ -300,7 +300,7 @@ std::string warning_summary(const std::vector<Warning>& warnings) {
     if (groups.empty()) continue;
     summary += fmt::format("{}{}\n", summary.empty() ? "" : "\n", assumptions ? kAssumptionsTitle : "Warnings");
     for (const WarningGroup& group : groups) {
-      summary += wrapped(in_table_units(printable(group.text())), "  ", kTableWidth);
+      summary += wrapped(printable(group.text()), "  ", kTableWidth);
       if (const std::string where = group.where(); !where.empty())
         summary += wrapped(printable(where), "    ", kTableWidth);
     }

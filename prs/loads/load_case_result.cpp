@@ -224,7 +224,7 @@ std::optional<Warning> running_pressure_warning(std::string path, Interface i, d
   const std::optional<double>& limit = contacts.interfaces[i].pressure_limit;
   if (!limit || pressure <= kRunningPressureLimit || pressure > *limit) return std::nullopt;
   return Warning{std::move(path), fmt::format("{}_running_pressure", name(i)),
-                 fmt::format("{} peak pressure {{value}} is above {:g} GPa, much for flanks that run "
+                 fmt::format("{} peak pressure {{value}} is above {{{:g} GPa}}, much for flanks that run "
                              "({{limit}} is the limit at rest)",
                              label(i), kRunningPressureLimit * "GPa"_per_si),
                  "lower the load or take more contacts"}

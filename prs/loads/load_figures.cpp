@@ -4,6 +4,7 @@
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 
@@ -67,7 +68,7 @@ std::string common_force(const std::vector<LoadedConfiguration>& all) {
   for (const LoadedConfiguration& c : all)
     for (const CaseGroup& group : c.groups)
       if (std::abs(force(group) - first) > 1e-9 * std::abs(first)) return {};
-  return fmt::format(", {:.4g} kN", first * "kN"_per_si);
+  return ", " + in_table_unit(fmt::format("{:.4g} kN", first * "kN"_per_si));
 }
 
 template <std::vector<double> InterfaceLoads::*values>
@@ -401,7 +402,7 @@ Figure ellipses(const Result&, const LoadCaseResult& shown) {
   panel.series.push_back(
       {figure.add(line_of(Colour::ink, Dash::solid, Weight::strong)), {{{right - length, bar}, {right, bar}}}});
   panel.labels.push_back(
-      {fmt::format("{:g} mm", length), right - length - 0.3 * major, bar, false, Label::Anchor::right});
+      {in_table_unit(fmt::format("{:g} mm", length)), right - length - 0.3 * major, bar, false, Label::Anchor::right});
   figure.x = {"", "", -0.6 * step, static_cast<double>(per_row) * step - 0.4 * step};
   figure.x.hidden = true;
   figure.y.from = bar - 0.7 * major;

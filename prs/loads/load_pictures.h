@@ -63,6 +63,9 @@ struct ChosenThread {
 std::optional<ChosenThread> chosen_thread(const Result& result, const FigureOptions& options,
                                           bool (*has)(const LoadCaseResult&));
 
+/// Label of the semi-axes of an ellipse [mm].
+std::string semi_axes_text(double a, double b);
+
 /// Whether the case is solved with all rollers.
 bool has_rollers(const LoadCaseResult& result);
 

@@ -2,6 +2,7 @@
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {
@@ -230,8 +231,8 @@ void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCas
   panel.series.push_back(
       {figure.add(area_of(Colour::bad)), {pulls ? arrow(near, far, y, point) : arrow(far, near, y, point)}});
   const double middle = 0.5 * (near + far);
-  panel.labels.push_back({fmt::format("{:.4g} kN", shown.load_case.axial_force * "kN"_per_si), middle, y + above, false,
-                          Label::Anchor::centre});
+  panel.labels.push_back({in_table_unit(fmt::format("{:.4g} kN", shown.load_case.axial_force * "kN"_per_si)), middle,
+                          y + above, false, Label::Anchor::centre});
   panel.labels.push_back(
       {std::string(name(*shown.load_case.direction)), middle, y - above, false, Label::Anchor::centre});
   figure.x.from = far - 0.1 * room;
@@ -401,7 +402,8 @@ Figure thread_pressure(const Result& result, const FigureOptions& options) {
     const double b = loads.semi_minor[chosen->thread] * "mm"_per_si;
     const double peak = loads.peak_pressure[chosen->thread] * "MPa"_per_si;
     Panel& panel = figure.panels.emplace_back();
-    panel.title = fmt::format("{}: {:.4g} N", interface_title(i), loads.normal_load[chosen->thread]);
+    panel.title = fmt::format("{}: {}", interface_title(i),
+                              in_table_unit(fmt::format("{:.4g} N", loads.normal_load[chosen->thread])));
     Series series{rings};
     for (int k = 0; k < kRings; ++k) {
       // Rings of equal steps of pressure, each in the colour of its middle value.
@@ -410,7 +412,7 @@ Figure thread_pressure(const Result& result, const FigureOptions& options) {
       series.values.push_back(peak * (k + 0.5) / kRings);
     }
     panel.series.push_back(std::move(series));
-    panel.labels.push_back({fmt::format("a = {:.4f} mm, b = {:.4f} mm", a, b), 0.03, 0.06, true});
+    panel.labels.push_back({semi_axes_text(a, b), 0.03, 0.06, true});
     half = std::max(half, a);
     most = std::max(most, peak);
   }

@@ -121,7 +121,7 @@ std::string capacities(const LifeResult& r, bool all) {
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
   text += life_line("static safety", r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
-                                                                     in_table_units(describe(*r.static_safety_limit())))
+                                                                     describe(*r.static_safety_limit()))
                                                        : std::string(kAbsent));
   return text;
 }

@@ -3,6 +3,7 @@
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
+#include "prs/record/table_units.h"
 #include "prs/slip/slip_warnings.h"
 
 namespace prs {
@@ -146,7 +147,8 @@ std::string thread_title(const LoadCaseResult& result, Interface i, std::optiona
   const std::vector<double>& loads = (*result.threads)[i].normal_load;
   if (!thread) thread = index_of_largest(loads);
   if (!thread) return interface_title(i);
-  return fmt::format("{}, thread {}: {:.4g} N", interface_title(i), *thread + 1, loads[*thread]);
+  return fmt::format("{}, thread {}: {}", interface_title(i), *thread + 1,
+                     in_table_unit(fmt::format("{:.4g} N", loads[*thread])));
 }
 
 Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interface i,
@@ -156,7 +158,8 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
   panel.series = {{kOutline, {ellipse(0.0, 0.0, field.semi_major * "mm"_per_si, field.semi_minor * "mm"_per_si, 0.0)}},
                   arrows(field)};
   panel.labels.push_back(
-      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * "mm"_per_si), 0.03, 0.05, true});
+      {"longest arrow " + in_table_unit(fmt::format("{:.3g} mm/s", largest_speed(field) * "mm"_per_si)), 0.03, 0.05,
+       true});
   return panel;
 }
 

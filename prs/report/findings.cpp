@@ -248,7 +248,7 @@ std::string figure_html(Findings& all, Figure figure, bool narrow) {
   return fmt::format(
       "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
       "tabindex=\"0\">{}</div></figure>\n",
-      html(figure.name), narrow ? " class=\"narrow\"" : "", html(in_table_units(figure.title)),
+      html(figure.name), narrow ? " class=\"narrow\"" : "", html(figure.title),
       svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
 }
 
@@ -296,7 +296,7 @@ std::string warning_list(const Findings& all, bool assumptions) {
   if (groups.empty()) return {};
   std::string text = "<ul class=\"warnings\">\n";
   for (const WarningGroup& warning : groups)
-    text += fmt::format("<li>{}{}</li>\n", html(in_table_units(warning.text())),
+    text += fmt::format("<li>{}{}</li>\n", html(warning.text()),
                         warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
   return text + "</ul>\n";
 }

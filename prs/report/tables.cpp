@@ -301,16 +301,13 @@ std::string colour_bar(const ColourScale& scale) {
                      html(text_of({scale.label, scale.unit})), colour_bar_svg(scale, {40, kHalfWidth - 40, 8, 22}));
 }
 
-/// Axes, colours and texts in the units of tables.
+/// Axes and colours in the units of tables.
 Figure with_table_units(Figure figure) {
   std::set<std::string> units = {figure.x.unit, figure.y.unit};
   if (figure.colours) units.insert(figure.colours->unit);
-  figure.title = in_table_units(figure.title);
   for (Panel& panel : figure.panels) {
     for (const std::optional<Axis>& axis : {panel.x, panel.y})
       if (axis) units.insert(axis->unit);
-    panel.title = in_table_units(panel.title);
-    for (Label& label : panel.labels) label.text = in_table_units(label.text);
   }
   for (const std::string& unit : units)
     figure = in_unit(std::move(figure), {unit, with_table_unit(unit), table_factor(unit)});

@@ -272,7 +272,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
     if (left > 0.0 && left < whole) life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
   }
   return Warning{"deviations.pitch_error", "perfect_parts",
-                 fmt::format("parts are perfect: one start of the screw out of position by {:g} um "
+                 fmt::format("parts are perfect: one start of the screw out of position by {{{:g} um}} "
                              "raises the largest load of a thread by {{value}}{}",
                              1e6 * kOff, life),
                  "state the errors of your grade"}
