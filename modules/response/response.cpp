@@ -180,7 +180,7 @@ void warn_of_pressure(ResponseResult& r) {
     if (const auto& largest = r.largest[d]; largest && largest->peak_pressure.value_or(0.0) > kStaticPressureLimit)
       r.warnings.push_back(
           Warning{"response", fmt::format("{}_peak_pressure", name(d)),
-                  fmt::format("peak pressure {{value}} exceeds {{limit}}, under {:.4g} kN in {} at {:.6g} ms",
+                  fmt::format("peak pressure {{value}} exceeds {{limit}}, under {{{:.4g} kN}} in {} at {:.6g} ms",
                               1e-3 * largest->force, name(d), 1e3 * largest->time),
                   "lower speed or torque, soften what stops the load, or take more contacts"}
               .with(largest->peak_pressure, kStaticPressureLimit, "GPa"_unit));

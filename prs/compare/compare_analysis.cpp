@@ -26,7 +26,9 @@ struct MostLoaded {
   const std::vector<double>& shares() const { return loads->load_rate; }
 };
 
-std::optional<double> largest_of(const std::vector<double>& values) { return entry(values, index_of_largest(values)); }
+std::optional<double> largest_of(const std::vector<double>& values) {
+  return entry_if_any(values, index_of_largest(values));
+}
 
 std::optional<double> over(std::optional<double> value, std::optional<double> best) {
   if (!value || !best || *best == 0.0) return std::nullopt;
@@ -194,7 +196,7 @@ std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
       for (const Interface i : kInterfaces) {
         const std::vector<double> shares = r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
         csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
-        csv.number(entry(shares, index_of_largest(shares)), "%"_per_si);
+        csv.number(entry_if_any(shares, index_of_largest(shares)), "%"_per_si);
       }
       csv.row(scaled(largest_pressure(r), "MPa"_per_si), pressure_over_best(m));
     }
@@ -220,8 +222,8 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   while (!options.load_case && k < c.load_cases() && !answered(k)) ++k;
   if (k >= c.load_cases() || !answered(k)) return {};
   const LoadCase& load = c.best().load_cases[k].load_case;
-  Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {:.4g} kN", shown_name(load.name),
-                                              load.axial_force * "kN"_per_si)};
+  Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {}", shown_name(load.name),
+                                              in_table_unit(fmt::format("{:.4g} kN", load.axial_force * "kN"_per_si)))};
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
   for (std::size_t m = 0; m < c.models.size(); ++m)

@@ -207,7 +207,7 @@ class LoadsOfCase {
     c.load_cases = {at(d, force)};
     Result result = analyze(c, contacts_);
     std::vector<Warning>& of_load = result.load_cases.front().warnings;
-    for (Warning& warning : of_load) warning.what += fmt::format(", at {:.4g} kN in {}", 1e-3 * force, name(d));
+    for (Warning& warning : of_load) warning.what += fmt::format(", at {{{:.4g} kN}} in {}", 1e-3 * force, name(d));
     add_new(std::move(of_load), result.warnings);
     return result.warnings;
   }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <map>
 
+#include "prs/indices.h"
 #include "prs/loads/load_record.h"
 #include "prs/text.h"
 
@@ -63,7 +64,7 @@ struct Row {
 Row case_row(const CaseTable& table, const LoadCaseResult& result) {
   Row row{{}, table.failure(result)};
   const std::size_t columns = row.remark.empty() ? table.columns.size() : table.load_columns;
-  for (std::size_t c = 0; c < columns; ++c) row.cells.push_back(table.columns[c].cell(result));
+  for (const auto c : up_to(columns)) row.cells.push_back(table.columns[c].cell(result));
   return row;
 }
 
@@ -104,7 +105,7 @@ std::vector<Row> table_rows(const CaseTable& table, const std::vector<LoadCaseRe
 std::vector<std::size_t> column_widths(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().cells.size());
   for (const Row& row : rows)
-    for (std::size_t c = 0; c < row.cells.size(); ++c) widths[c] = std::max(widths[c], width(row.cells[c]));
+    for (const auto c : indices(row.cells)) widths[c] = std::max(widths[c], width(row.cells[c]));
   std::size_t others = 0;
   for (std::size_t c = 1; c < widths.size(); ++c) others += kGap.size() + widths[c];
   const std::size_t room = kTableWidth - std::min(others, kTableWidth - kMinNameWidth);
@@ -114,7 +115,7 @@ std::vector<std::size_t> column_widths(const std::vector<Row>& rows) {
 
 std::string row_line(const CaseTable& table, const Row& row, const std::vector<std::size_t>& widths) {
   std::string line;
-  for (std::size_t c = 0; c < row.cells.size(); ++c) {
+  for (const auto c : indices(row.cells)) {
     line += fitted(row.cells[c], widths[c], table.columns[c].left_aligned);
     line += kGap;
   }
@@ -255,10 +256,10 @@ int force_decimals(double force) {
 }
 
 std::string WarningGroup::text() const {
-  if (differs || !several_paths) return sentence(worst);
+  if (differs || !several_paths) return table_sentence(worst);
   Warning all = worst;
   all.path = "load_cases[..]" + without_load_case(worst.path);
-  return sentence(all);
+  return table_sentence(all);
 }
 
 std::string WarningGroup::where() const {
@@ -299,7 +300,7 @@ std::string warning_summary(const std::vector<Warning>& warnings) {
     if (groups.empty()) continue;
     summary += fmt::format("{}{}\n", summary.empty() ? "" : "\n", assumptions ? kAssumptionsTitle : "Warnings");
     for (const WarningGroup& group : groups) {
-      summary += wrapped(in_table_units(printable(group.text())), "  ", kTableWidth);
+      summary += wrapped(printable(group.text()), "  ", kTableWidth);
       if (const std::string where = group.where(); !where.empty())
         summary += wrapped(printable(where), "    ", kTableWidth);
     }

@@ -1,5 +1,6 @@
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {
@@ -20,9 +21,10 @@ bool has_contact_points(const Contacts& contacts) {
 /// Name of the drawn mechanism: `inverted screw 21 × 5 mm`.
 std::string mechanism_title(const Contacts& contacts) {
   const contact::MechanismGeometry& threads = contacts.threads;
-  return fmt::format("{}{} screw {:.4g} × {:.4g} mm", threads.screw.lead < 0.0 ? "left-handed " : "",
+  return fmt::format("{}{} screw {} × {}", threads.screw.lead < 0.0 ? "left-handed " : "",
                      threads.type == contact::MechanismType::standard ? "standard" : "inverted",
-                     2.0 * threads.screw.pitch_radius * "mm"_per_si, std::abs(threads.screw.lead) * "mm"_per_si);
+                     table_number(fmt::format("{:.4g}", 2.0 * threads.screw.pitch_radius * "mm"_per_si), "mm"),
+                     in_table_unit(fmt::format("{:.4g} mm", std::abs(threads.screw.lead) * "mm"_per_si)));
 }
 
 /// A range about its middle [m], shown in mm.
@@ -183,14 +185,14 @@ std::vector<Series> section_lines(Figure& figure, const Section& section) {
 void add_backlash(Panel& panel, const InterfaceCut& cut, double backlash) {
   constexpr double kVisible = 1e-6;  // [m]
   if (!contact::same_pitch(cut.body.thread.pitch, cut.roller.thread.pitch)) return;
-  panel.labels.push_back({fmt::format("backlash {} mm", number(backlash * "mm"_per_si, 3)), 0.03, 0.93, true});
+  panel.labels.push_back({"backlash " + in_table_unit(number(backlash * "mm"_per_si, 3) + " mm"), 0.03, 0.93, true});
   if (std::abs(cut.body.plane) > kVisible) panel.labels.push_back({"other flanks nearest at −y", 0.03, 0.85, true});
 }
 
 Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface i, const std::vector<Series>& lines) {
   const double half = 0.45 * cut.roller.thread.pitch;
-  Panel panel{
-      fmt::format("{} at {}, y = {} mm", interface_title(i), letter(i), number(cut.body.plane * "mm"_per_si, 3))};
+  Panel panel{fmt::format("{} at {}, y = {}", interface_title(i), letter(i),
+                          in_table_unit(number(cut.body.plane * "mm"_per_si, 3) + " mm"))};
   panel.series = lines;
   panel.labels.push_back({letter(i), (cut.contact_z + 0.12 * half) * "mm"_per_si, cut.contact_x * "mm"_per_si});
   add_backlash(panel, cut, contacts.interfaces[i].geometry.point.backlash);
@@ -202,7 +204,7 @@ Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface
 /// The three threads cut parallel to their axes: the section is stepped at the roller's axis and passes through the
 /// contact points on both sides, so that the loaded flanks touch as they do in space. An overview and each contact
 /// enlarged (Sandu 2018, figs. 1.8, 1.9). Parts of different pitch touch at one thread.
-Figures contact_axial_section(const Contacts& contacts) {
+Figure contact_axial_section(const Contacts& contacts) {
   if (!has_contact_points(contacts)) return {};
   const Section section = section_of(contacts);
   Figure figure{"contact_axial_section", "Section through I and J, configuration I1J2, " + mechanism_title(contacts)};
@@ -217,7 +219,7 @@ Figures contact_axial_section(const Contacts& contacts) {
   whole.y = axis_about("x from the screw axis", section.inside + half, half);
   for (const Interface i : {Interface::nut, Interface::screw})
     figure.panels.push_back(contact_panel(contacts, section.cuts[i], i, lines));
-  return {std::move(figure)};
+  return figure;
 }
 
 /// A pitch circle in the projection along the axis [m].
@@ -330,7 +332,7 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
 
 /// Pitch circles of all parts along the axis and each contact point enlarged, with the angles
 /// between the line of centres and the point about both axes.
-Figures contact_xy(const Contacts& contacts) {
+Figure contact_xy(const Contacts& contacts) {
   if (!has_contact_points(contacts)) return {};
   Figure figure{"contact_xy", "Contact points seen along the axis, " + mechanism_title(contacts)};
   figure.columns = 2;
@@ -339,7 +341,7 @@ Figures contact_xy(const Contacts& contacts) {
   add_circle_styles(figure);
   figure.panels = {mechanism_panel(contacts), contact_panel(contacts, Interface::nut),
                    contact_panel(contacts, Interface::screw)};
-  return {std::move(figure)};
+  return figure;
 }
 
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
@@ -376,7 +378,8 @@ DrawnEllipse loaded_ellipse(const LoadedThread& at, Interface i) {
   const InterfaceLoads& loads = (*at.load_case->threads)[i];
   const std::size_t k = at.thread;
   return {loads.semi_major[k] * "mm"_per_si, loads.semi_minor[k] * "mm"_per_si,
-          fmt::format("{:.4g} N, {:.3f} GPa", loads.normal_load[k], loads.peak_pressure[k] * "GPa"_per_si)};
+          fmt::format("{}, {}", in_table_unit(fmt::format("{:.4g} N", loads.normal_load[k])),
+                      in_table_unit(fmt::format("{:.3f} GPa", loads.peak_pressure[k] * "GPa"_per_si)))};
 }
 
 /// Ellipse without load; absent if the relative curvatures give none.
@@ -423,7 +426,7 @@ void add_semi_axis_labels(Panel& panel, const DrawnEllipse& ellipse, double majo
   };
   letter_at("a", a, major);
   letter_at("b", b, major + kQuarterTurn);
-  if (loaded) panel.labels.push_back({fmt::format("a = {:.4f} mm, b = {:.4f} mm", a, b), 0.03, 0.04, true});
+  if (loaded) panel.labels.push_back({semi_axes_text(a, b), 0.03, 0.04, true});
 }
 
 Panel ellipse_panel(const contact::InterfaceGeometry& geometry, const DrawnEllipse& ellipse, Interface i, bool loaded) {
@@ -449,7 +452,7 @@ std::string state_title(const PerInterface<std::optional<LoadedThread>>& at) {
 /// Both contact ellipses with the principal directions of both bodies, in the tangent planes and seen from outside the
 /// roller (Sandu 2018, fig. 1.16; Yao 2023, fig. 5): under the largest normal load of the cases, or with unit major
 /// semi-axes if no case has ellipses. Absent also if the relative curvatures give no ellipse.
-Figures contact_ellipses(const Result& result, const FigureOptions&) {
+Figure contact_ellipses(const Result& result, const FigureOptions&) {
   const Contacts& contacts = result.contacts;
   if (!has_contact_points(contacts)) return {};
   const PerInterface<std::optional<LoadedThread>> at = {most_loaded(result, Interface::screw),
@@ -471,7 +474,7 @@ Figures contact_ellipses(const Result& result, const FigureOptions&) {
   const char* unit = loaded ? "mm" : "semi-major axes";
   figure.x = {"along the roller helix", unit, -1.55 * largest, 1.55 * largest};
   figure.y = {"across the flank", unit, -1.55 * largest, 1.55 * largest};
-  return {std::move(figure)};
+  return figure;
 }
 
 }  // namespace
@@ -481,6 +484,11 @@ Pictures contact_drawings(const Result& r) {
   return {{"contact_axial_section", kNeeds, of_result(r.contacts, contact_axial_section)},
           {"contact_xy", kNeeds, of_result(r.contacts, contact_xy)},
           {"contact_ellipses", kNeeds, of_result(r, contact_ellipses)}};
+}
+
+std::string semi_axes_text(double a, double b) {
+  return fmt::format("a = {}, b = {}", in_table_unit(fmt::format("{:.4f} mm", a)),
+                     in_table_unit(fmt::format("{:.4f} mm", b)));
 }
 
 }  // namespace prs

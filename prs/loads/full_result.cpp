@@ -1,6 +1,7 @@
 #include "prs/loads/full_result.h"
 
 #include "prs/bodies/body_solver.h"
+#include "prs/indices.h"
 #include "prs/loads/analyze.h"
 #include "prs/mechanism/full_influence.h"
 
@@ -26,7 +27,7 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   s.share.assign(static_cast<std::size_t>(f.rollers), 0.0);
   const double unloaded = kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
   for (const FullModel::Roller& r : f.present)
-    for (std::size_t k = 0; k < threads; ++k) {
+    for (const auto k : up_to(threads)) {
       const auto roller = static_cast<std::size_t>(r.number);
       const std::size_t at = roller * threads + k;
       s.share[roller] += loads.axial_load[at] / f.axial_force;
@@ -198,7 +199,7 @@ void warn_of_modes(const ModesResult& modes, const Structure& structure, const s
                         "lower the force or hold the screw closer"});
   if (!speed || modes.modes.empty()) return;
   const double omega = 2.0 * std::numbers::pi * modes.modes.front().frequency;
-  for (std::size_t k = 0; k < structure.masses.size(); ++k) {
+  for (const auto k : indices(structure.masses)) {
     const ExtraMass& m = structure.masses[k];
     if (m.carrier == ExtraMass::Carrier::screw &&
         std::abs(*speed) * m.inertia.x > kGyroscopic * omega * (m.inertia.y + m.inertia.z))

@@ -1,5 +1,6 @@
 #include "prs/loads/load_analysis.h"
 
+#include "prs/indices.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
@@ -62,7 +63,7 @@ std::vector<double> percent(const std::vector<double>& rates) {
 std::vector<OutputFile> load_files(const Result& result, const CsvStyle& style) {
   std::vector<OutputFile> files{{"load_cases.csv", load_cases_csv(result, style)},
                                 {"load_distribution.csv", load_distribution_csv(result, style)}};
-  std::ranges::move(travel_files(result, style), std::back_inserter(files));
+  append(files, travel_files(result, style));
   return files;
 }
 
@@ -84,7 +85,7 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
     if (!has_travel(r)) continue;
     const TravelResult& t = *r.full->travel;
     const std::vector<double> deviation = t.deviation();
-    for (std::size_t k = 0; k < t.angle.size(); ++k) {
+    for (const auto k : indices(t.angle)) {
       load_fields(positions, r.load_case);
       positions.number(t.angle[k], "deg"_per_si);
       positions.number(deviation[k], "µm"_per_si);
@@ -98,8 +99,8 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
       positions.end_row();
     }
     for (const Interface i : kInterfaces)
-      for (std::size_t j = 0; j < t.loads[i].mean.size(); ++j)
-        for (std::size_t k = 0; k < t.loads[i].mean[j].size(); ++k) {
+      for (const auto j : indices(t.loads[i].mean))
+        for (const auto k : indices(t.loads[i].mean[j])) {
           load_fields(threads, r.load_case);
           threads.row(name(i), j + 1, k + 1, std::optional(t.loads[i].mean[j][k]),
                       std::optional(t.loads[i].ripple[j][k]));
@@ -197,8 +198,8 @@ void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface 
   const auto thread = index_of_largest(loads.load_rate);
   const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
   csv.fields(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt,
-             scaled(entry(loads.load_rate, thread), "%"_per_si),
-             scaled(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)), "MPa"_per_si));
+             scaled(entry_if_any(loads.load_rate, thread), "%"_per_si),
+             scaled(entry_if_any(loads.peak_pressure, index_of_largest(loads.peak_pressure)), "MPa"_per_si));
 }
 
 }  // namespace
@@ -244,7 +245,7 @@ std::string load_distribution_csv(const Result& result, const CsvStyle& style) {
 
   for (const LoadCaseResult& load_case : result.load_cases) {
     if (!load_case.threads) continue;
-    for (std::size_t k = 0; k < load_case.threads->screw.axial_load.size(); ++k) {
+    for (const auto k : indices(load_case.threads->screw.axial_load)) {
       load_fields(csv, load_case.load_case);
       const auto row = static_cast<std::size_t>(load_case.threads->screw.threads_per_roller);
       if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
@@ -340,7 +341,7 @@ std::string contact_rows(const Contacts& contacts) {
     const std::string_view unit = q.unit.text;
     std::string label = fmt::format("  {}{}{}", title_of(q), unit.empty() ? "" : ", ", unit);
     const auto screw = values_of(contacts, Interface::screw, q), nut = values_of(contacts, Interface::nut, q);
-    for (std::size_t k = 0; k < screw.size(); ++k)
+    for (const auto k : indices(screw))
       if (screw[k] || nut[k])
         rows += kRows(with_table_unit(std::exchange(label, "")),
                       {fixed(screw[k], unit, decimals), fixed(nut[k], unit, decimals)});

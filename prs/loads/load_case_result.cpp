@@ -1,6 +1,7 @@
 #include "prs/loads/load_case_result.h"
 
 #include "contact/contact_numbers.h"
+#include "prs/indices.h"
 #include "prs/loads/analyze.h"
 
 namespace prs {
@@ -43,10 +44,9 @@ void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const
   const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
   const std::size_t threads = loads.normal_load.size();
   loads.axial_load.resize(detail.axial_load ? threads : 0);
-  for (std::size_t k = 0; k < loads.axial_load.size(); ++k) loads.axial_load[k] = loads.normal_load[k] * cosine;
+  for (const auto k : indices(loads.axial_load)) loads.axial_load[k] = loads.normal_load[k] * cosine;
   loads.load_rate.resize(detail.load_rate ? threads : 0);
-  for (std::size_t k = 0; k < loads.load_rate.size(); ++k)
-    loads.load_rate[k] = loads.normal_load[k] * cosine / roller_force;
+  for (const auto k : indices(loads.load_rate)) loads.load_rate[k] = loads.normal_load[k] * cosine / roller_force;
   for (auto* values : {&loads.semi_major, &loads.semi_minor, &loads.peak_pressure, &loads.max_shear_stress,
                        &loads.max_shear_depth, &loads.max_von_mises_stress, &loads.max_von_mises_depth})
     values->clear();
@@ -224,7 +224,7 @@ std::optional<Warning> running_pressure_warning(std::string path, Interface i, d
   const std::optional<double>& limit = contacts.interfaces[i].pressure_limit;
   if (!limit || pressure <= kRunningPressureLimit || pressure > *limit) return std::nullopt;
   return Warning{std::move(path), fmt::format("{}_running_pressure", name(i)),
-                 fmt::format("{} peak pressure {{value}} is above {:g} GPa, much for flanks that run "
+                 fmt::format("{} peak pressure {{value}} is above {{{:g} GPa}}, much for flanks that run "
                              "({{limit}} is the limit at rest)",
                              label(i), kRunningPressureLimit * "GPa"_per_si),
                  "lower the load or take more contacts"}

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
 
@@ -36,7 +37,7 @@ FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, 
   FoundCriterion found("stiffness", "no load case has one");
   double largest = 0.0;
   for (const LoadCaseResult& r : result.load_cases) largest = std::max(largest, std::abs(r.load_case.axial_force));
-  for (std::size_t k = 0; k < result.load_cases.size(); ++k) {
+  for (const auto k : indices(result.load_cases)) {
     const LoadCaseResult& r = result.load_cases[k];
     if (std::abs(r.load_case.axial_force) < (1.0 - kLimitRounding) * largest) continue;
     const auto take = [&](std::optional<double> stiffness, std::string_view kind) {

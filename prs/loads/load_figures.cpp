@@ -1,8 +1,10 @@
+#include "prs/indices.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 
@@ -66,7 +68,7 @@ std::string common_force(const std::vector<LoadedConfiguration>& all) {
   for (const LoadedConfiguration& c : all)
     for (const CaseGroup& group : c.groups)
       if (std::abs(force(group) - first) > 1e-9 * std::abs(first)) return {};
-  return fmt::format(", {:.4g} kN", first * "kN"_per_si);
+  return ", " + in_table_unit(fmt::format("{:.4g} kN", first * "kN"_per_si));
 }
 
 template <std::vector<double> InterfaceLoads::*values>
@@ -81,16 +83,16 @@ bool has_pressure(const LoadCaseResult& result) {
 
 }  // namespace
 
-std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options) {
+Figure thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options) {
   std::vector<LoadedConfiguration> all = configurations(result, options, plot.keep);
-  if (all.empty()) return std::nullopt;
+  if (all.empty()) return {};
   Figure figure{plot.name, plot.title + common_force(all)};
   keep_first(all, kMostLines, figure.title);
   figure.y = {plot.label, plot.unit};
   figure.columns = std::size(kInterfaces);
-  for (std::size_t c = 0; c < all.size(); ++c) figure.add(all[c].name, case_line(c));
+  for (const auto c : indices(all)) figure.add(all[c].name, case_line(c));
   const std::size_t levels = figure.styles.size();
-  for (std::size_t c = 0; c < all.size(); ++c) figure.add(line_of(case_colour(c), Dash::dashed, Weight::thin));
+  for (const auto c : indices(all)) figure.add(line_of(case_colour(c), Dash::dashed, Weight::thin));
   std::size_t threads = 0;
   bool has_level = false;
   for (const std::optional<Direction> direction :
@@ -99,7 +101,7 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
     for (const Interface i : kInterfaces) {
       Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
       if (direction) panel.title += fmt::format(", {}", name(*direction));
-      for (std::size_t c = 0; c < all.size(); ++c) {
+      for (const auto c : indices(all)) {
         const CaseGroup* group = all[c].group(direction);
         if (!group) continue;
         const std::vector<double>& values = plot.values(representative(*group), i);
@@ -118,38 +120,36 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
 
 bool has_shares(const LoadCaseResult& result) { return result.threads && !result.full; }
 
-Figures from_zero(std::optional<Figure> figure) {
-  if (!figure) return {};
-  fit_y_range(*figure, true);
-  return {std::move(*figure)};
+Figure from_zero(Figure figure) {
+  fit_y_range(figure, true);
+  return figure;
 }
 
 namespace {
 
-Figures load_distribution(const Result& result, const FigureOptions& options) {
-  std::optional<Figure> figure = thread_figure({"load_distribution", "Load distribution", "Share of the load", "%",
-                                                loads_of<&InterfaceLoads::load_rate>, "%"_per_si, has_shares},
-                                               result, options);
-  if (!figure) return {};
+Figure load_distribution(const Result& result, const FigureOptions& options) {
+  Figure figure = thread_figure({"load_distribution", "Load distribution", "Share of the load", "%",
+                                 loads_of<&InterfaceLoads::load_rate>, "%"_per_si, has_shares},
+                                result, options);
+  if (figure.panels.empty()) return figure;
   // The threads of a panel's first line share 100 %.
-  const Polyline& shares = figure->panels.front().series.front().parts.front();
-  add_mean(*figure, "%"_per_si / static_cast<double>(shares.size()));
+  const Polyline& shares = figure.panels.front().series.front().parts.front();
+  add_mean(figure, "%"_per_si / static_cast<double>(shares.size()));
   return from_zero(std::move(figure));
 }
 
 /// Figures of the peak pressure, with the pressure up to which contacts are rated.
-Figures peak_pressure(const Result& result, const FigureOptions& options) {
-  std::optional<Figure> figure = thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure", "MPa",
-                                                loads_of<&InterfaceLoads::peak_pressure>, "MPa"_per_si, has_pressure},
-                                               result, options);
-  if (!figure) return {};
+Figure peak_pressure(const Result& result, const FigureOptions& options) {
+  Figure figure = thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure", "MPa",
+                                 loads_of<&InterfaceLoads::peak_pressure>, "MPa"_per_si, has_pressure},
+                                result, options);
   const PerInterface<InterfaceContact>& of = result.contacts.interfaces;
   if (!of.screw.pressure_limit || !of.nut.pressure_limit) return from_zero(std::move(figure));
   const double pressure = std::min(*of.screw.pressure_limit, *of.nut.pressure_limit);
-  const std::size_t limit = figure->add(fmt::format("static limit {:.1f} GPa{}", pressure * "GPa"_per_si,
-                                                    pressure == kStaticPressureLimit ? ", ISO 76" : ""),
-                                        line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
-  for (Panel& panel : figure->panels) panel.references.push_back({limit, pressure * "MPa"_per_si});
+  const std::size_t limit = figure.add(fmt::format("static limit {:.1f} GPa{}", pressure * "GPa"_per_si,
+                                                   pressure == kStaticPressureLimit ? ", ISO 76" : ""),
+                                       line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
+  for (Panel& panel : figure.panels) panel.references.push_back({limit, pressure * "MPa"_per_si});
   return from_zero(std::move(figure));
 }
 
@@ -190,19 +190,19 @@ bool is_solved(const LoadCaseResult& result) {
 bool has_stiffness(const LoadCaseResult& result) { return result.load_case.direction && result.axial_stiffness; }
 
 /// Figure with one panel for each direction; `draw` adds the lines of a sweep, the c-th of them.
-Figures over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps, const auto& draw) {
+Figure over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps, const auto& draw) {
   if (sweeps.empty()) return {};
   figure.x = {"Axial load", "kN", 0.0, 0.0};
   for (const Direction d : {Direction::tension, Direction::compression})
     if (const double largest = largest_force_kN(sweeps, d); largest > 0.0) {
       figure.x.to = std::max(figure.x.to, largest);
       Panel& panel = figure.panels.emplace_back(Panel{d == Direction::tension ? "Tension" : "Compression"});
-      for (std::size_t c = 0; c < sweeps.size(); ++c)
+      for (const auto c : indices(sweeps))
         if (const CaseGroup* group = sweeps[c].group(d)) draw(panel, *group, c);
     }
   figure.columns = figure.panels.size();
   fit_y_range(figure, true);
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Configurations with ranges of loads: a single load is no curve.
@@ -236,9 +236,9 @@ std::size_t thread_count(const LoadedConfiguration& sweep) {
 Panel butterfly_panel(const LoadedConfiguration& sweep, Interface i) {
   Panel panel{fmt::format("{}, {}", interface_title(i), sweep.name)};
   const std::size_t count = thread_count(sweep);
-  for (std::size_t role = 0; role < std::size(kThreadRoles); ++role) {
+  for (const auto role : up_to(std::size(kThreadRoles))) {
     Series series{role};
-    for (std::size_t k = 0; k < count; ++k)
+    for (const auto k : up_to(count))
       if (kThreadRoles[role].holds(k, count))
         for (const CaseGroup& group : sweep.groups)
           series.parts.push_back(over_load(
@@ -259,12 +259,12 @@ bool has_ellipses(const LoadCaseResult& result) {
 }
 
 /// Axial stiffness against the load of each range, secant and tangent (Abevi 2015, fig. 10).
-Figures stiffness(const Result& result, const FigureOptions&) {
+Figure stiffness(const Result& result, const FigureOptions&) {
   Figure figure{"stiffness", "Axial stiffness"};
   auto sweeps = sweeps_of(result);
   keep_first(sweeps, kMostLines, figure.title);
   figure.y = {"Axial stiffness", "N/µm"};
-  for (std::size_t c = 0; c < sweeps.size(); ++c) {
+  for (const auto c : indices(sweeps)) {
     figure.add(sweeps[c].name, case_line(c));
     Style tangent = case_line(c);
     tangent.dash = Dash::dashed;
@@ -282,12 +282,12 @@ Figures stiffness(const Result& result, const FigureOptions&) {
 }
 
 /// Axial displacement against the load of each range, > 0 in the direction of the load.
-Figures displacement(const Result& result, const FigureOptions&) {
+Figure displacement(const Result& result, const FigureOptions&) {
   Figure figure{"displacement", "Axial displacement"};
   auto sweeps = sweeps_of(result);
   keep_first(sweeps, kMostLines, figure.title);
   figure.y = {"Axial displacement", "µm"};
-  for (std::size_t c = 0; c < sweeps.size(); ++c) figure.add(sweeps[c].name, case_line(c));
+  for (const auto c : indices(sweeps)) figure.add(sweeps[c].name, case_line(c));
   return over_load_figure(std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
     panel.series.push_back({c, {over_load(g, &LoadCaseResult::axial_displacement, "µm"_per_si)}});
   });
@@ -296,7 +296,7 @@ Figures displacement(const Result& result, const FigureOptions&) {
 /// Load of each thread in % of the mean against the load of each range, tension to the right: a row
 /// of panels for each configuration, a column for each interface (Abevi 2015, figs. 15-18). `of_load`: as there, in %
 /// of the load and tension to the left.
-Figures butterfly(const Result& result, bool of_load, const FigureOptions& options) {
+Figure butterfly(const Result& result, bool of_load, const FigureOptions& options) {
   auto sweeps = loaded_configurations(result.load_cases, kMinSweepPoints, is_solved);
   if (sweeps.empty()) return {};
   Figure figure{"butterfly", "Load distribution against the load"};
@@ -323,11 +323,11 @@ Figures butterfly(const Result& result, bool of_load, const FigureOptions& optio
   }
   add_mean(figure, mean);
   fit_y_range(figure);
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Relative residual after each linear solve, the last case of a range.
-Figures convergence(const Result& result, const FigureOptions&) {
+Figure convergence(const Result& result, const FigureOptions&) {
   std::vector<const LoadCaseResult*> cases;
   for (const CaseGroup& group : group_cases(result.load_cases))
     if (const LoadCaseResult& last = *group.cases.back(); last.solve && !last.solve->history.empty())
@@ -343,7 +343,7 @@ Figures convergence(const Result& result, const FigureOptions&) {
   std::size_t longest = 1;
   for (const LoadCaseResult* r : cases) {
     Polyline line;
-    for (std::size_t k = 0; k < r->solve->history.size(); ++k)
+    for (const auto k : indices(r->solve->history))
       if (const double residual = r->solve->history[k].relative_residual; residual > 0.0)
         line.push_back({static_cast<double>(k + 1), residual});
     longest = std::max(longest, r->solve->history.size());
@@ -353,23 +353,21 @@ Figures convergence(const Result& result, const FigureOptions&) {
   figure.x.from = 0.7;
   figure.x.to = static_cast<double>(longest) + 0.3;
   figure.panels.push_back(std::move(panel));
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Contact ellipses of all threads, to scale, coloured by the peak pressure.
-Figures ellipses(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_ellipses);
-  if (!shown) return {};
+Figure ellipses(const Result&, const LoadCaseResult& shown) {
   constexpr std::size_t kMostInARow = 20;
-  Figure figure{"ellipses", "Contact ellipses of the threads, " + shown_name(shown->load_case.name)};
+  Figure figure{"ellipses", "Contact ellipses of the threads, " + shown_name(shown.load_case.name)};
   figure.to_scale = true;
-  const std::size_t threads = shown->threads->screw.semi_major.size();
+  const std::size_t threads = shown.threads->screw.semi_major.size();
   const std::size_t rows = (threads + kMostInARow - 1) / kMostInARow;
   const std::size_t per_row = (threads + rows - 1) / rows;
   double major = 0.0, minor = 0.0;
   Range pressure;
   for (const Interface i : kInterfaces) {
-    const InterfaceLoads& loads = (*shown->threads)[i];
+    const InterfaceLoads& loads = (*shown.threads)[i];
     major = std::max(major, std::ranges::max(loads.semi_major) * "mm"_per_si);
     minor = std::max(minor, std::ranges::max(loads.semi_minor) * "mm"_per_si);
     for (const double p : loads.peak_pressure) pressure.include(p * "MPa"_per_si);
@@ -382,10 +380,10 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
   Series series{figure.add(area_of(Colour::sky))};
   figure.y = {""};
   double lowest = 0.0;
-  for (std::size_t k = 0; k < std::size(kInterfaces); ++k) {
-    const InterfaceLoads& loads = (*shown->threads)[kInterfaces[k]];
+  for (const auto k : up_to(std::size(kInterfaces))) {
+    const InterfaceLoads& loads = (*shown.threads)[kInterfaces[k]];
     const double top = -static_cast<double>(k * rows) * height - 0.3 * height * static_cast<double>(k);
-    for (std::size_t t = 0; t < threads; ++t) {
+    for (const auto t : up_to(threads)) {
       const double x = static_cast<double>(t % per_row) * step;
       const double y = top - static_cast<double>(t / per_row) * height;
       series.parts.push_back(ellipse(x, y, loads.semi_major[t] * "mm"_per_si, loads.semi_minor[t] * "mm"_per_si, 0.0));
@@ -404,14 +402,14 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
   panel.series.push_back(
       {figure.add(line_of(Colour::ink, Dash::solid, Weight::strong)), {{{right - length, bar}, {right, bar}}}});
   panel.labels.push_back(
-      {fmt::format("{:g} mm", length), right - length - 0.3 * major, bar, false, Label::Anchor::right});
+      {in_table_unit(fmt::format("{:g} mm", length)), right - length - 0.3 * major, bar, false, Label::Anchor::right});
   figure.x = {"", "", -0.6 * step, static_cast<double>(per_row) * step - 0.4 * step};
   figure.x.hidden = true;
   figure.y.from = bar - 0.7 * major;
   figure.y.to = minor + 0.9 * major;
   figure.aspect = (figure.y.to - figure.y.from) / (figure.x.to - figure.x.from);
   figure.panels.push_back(std::move(panel));
-  return {std::move(figure)};
+  return figure;
 }
 
 using enum Picture::Drawn;
@@ -449,15 +447,16 @@ Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
   Pictures all{
       {"load_distribution", "a load case that converged, or equal shares", of_result(r, load_distribution), of_threads},
       {"peak_pressure", "load cases, and contacts that come from the threads", of_result(r, peak_pressure), of_threads},
-      {"ellipses", "load cases, and contacts that come from the threads", of_result(r, ellipses), of_threads},
+      {"ellipses", "load cases, and contacts that come from the threads", of_case(r, has_ellipses, ellipses),
+       of_threads},
       {"displacement", kRange, of_result(r, displacement)},
       {"stiffness", kRange, of_result(r, stiffness)},
       {"butterfly", "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged",
        [&r, butterflies_of_load](const FigureOptions& options) {
-         return in_shown_units(butterfly(r, butterflies_of_load, options));
+         return in_shown_units(listed(butterfly(r, butterflies_of_load, options)));
        }}};
-  std::ranges::move(roller_pictures(r), std::back_inserter(all));
-  std::ranges::move(motion_pictures(r), std::back_inserter(all));
+  append(all, roller_pictures(r));
+  append(all, motion_pictures(r));
   all.push_back({"convergence", "at most a few load cases, not of equal shares", of_result(r, convergence),
                  has_failed(r) ? always : with_all});
   return all;
@@ -472,10 +471,10 @@ GridData unrolled(const std::vector<double>& of_threads, int threads_per_roller)
   GridData grid;
   const auto threads = static_cast<std::size_t>(threads_per_roller);
   const std::size_t rollers = of_threads.size() / threads;
-  for (std::size_t k = 0; k < threads; ++k) grid.x.push_back(static_cast<double>(k + 1));
-  for (std::size_t j = 0; j < rollers; ++j) grid.y.push_back(static_cast<double>(j + 1));
-  for (std::size_t k = 0; k < threads; ++k)
-    for (std::size_t j = 0; j < rollers; ++j) grid.values.push_back(of_threads[j * threads + k]);
+  for (const auto k : up_to(threads)) grid.x.push_back(static_cast<double>(k + 1));
+  for (const auto j : up_to(rollers)) grid.y.push_back(static_cast<double>(j + 1));
+  for (const auto k : up_to(threads))
+    for (const auto j : up_to(rollers)) grid.values.push_back(of_threads[j * threads + k]);
   return grid;
 }
 
@@ -483,8 +482,7 @@ GridData unrolled(const std::vector<double>& of_threads, int threads_per_roller)
 void without_missing(Panel& panel, const FullLoads& full) {
   GridData& grid = panel.map.grid;
   for (const int roller : full.missing_rollers) {
-    for (std::size_t k = 0; k < grid.x.size(); ++k)
-      grid.values[k * grid.y.size() + static_cast<std::size_t>(roller - 1)] = kFree;
+    for (const auto k : indices(grid.x)) grid.values[k * grid.y.size() + static_cast<std::size_t>(roller - 1)] = kFree;
     panel.labels.push_back(
         {"missing", 0.5 * (grid.x.front() + grid.x.back()), static_cast<double>(roller), false, Label::Anchor::centre});
   }
@@ -514,8 +512,8 @@ Pictures solve_pictures(const Result& r, bool butterflies_of_load) {
 
 bool has_rollers(const LoadCaseResult& result) { return result.full && result.threads; }
 
-Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
-                       const OfThreads& of) {
+Figure map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
+                      const OfThreads& of) {
   const LoadCaseResult* chosen = chosen_case(result, options, of.has);
   if (!chosen) return {};
   const LoadCaseResult& shown = *chosen;
@@ -533,22 +531,20 @@ Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions&
   colours.from = std::min(range.from, 0.0);
   colours.to = range.to;
   figure.colours = std::move(colours);
-  return {std::move(figure)};
+  return figure;
 }
 
 namespace {
 
 /// Normal load of every thread of every roller, at both interfaces.
-Figures roller_loads(const Result& result, const FigureOptions& options) {
+Figure roller_loads(const Result& result, const FigureOptions& options) {
   return map_of_rollers({"roller_loads", "Loads of all rollers"}, result, options, {"Normal load", "N"},
                         {has_rollers, loads_of<&InterfaceLoads::normal_load>});
 }
 
 /// Share of each roller in % of equal shares, at its place around the axis, between screw and nut.
-Figures roller_shares(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
-  if (!shown) return {};
-  Figure figure{"roller_shares", fmt::format("Shares of the rollers, {}", shown_name(shown->load_case.name))};
+Figure roller_shares(const Result& result, const LoadCaseResult& shown) {
+  Figure figure{"roller_shares", fmt::format("Shares of the rollers, {}", shown_name(shown.load_case.name))};
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const auto circle = [](double y, double z, double radius) { return ellipse(y, z, radius, radius, 0.0); };
   const double nut = contact::ThreadSurface(threads.nut).pitch_radius;
@@ -557,18 +553,18 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   panel.series.push_back({figure.add("screw, pitch circle", line_of(colour_of(Part::screw))), {circle(0, 0, screw)}});
   panel.series.push_back({figure.add("nut, pitch circle", line_of(colour_of(Part::nut))), {circle(0, 0, nut)}});
   Series rollers{figure.add(area_of(colour_of(Part::roller)))};
-  const std::vector<double>& share = shown->threads->screw.rollers->share;
-  const int count = shown->full->rollers;
+  const std::vector<double>& share = shown.threads->screw.rollers->share;
+  const int count = shown.full->rollers;
   Range range;  // Range of all load cases.
   for (const LoadCaseResult& load_case : result.load_cases)
     if (has_rollers(load_case))
       for (const double part : load_case.threads->screw.rollers->share)
         range.include(part * load_case.full->rollers * "%"_per_si);
   for (int j = 0; j < count; ++j) {
-    const double azimuth = shown->full->carrier_angle + 2.0 * std::numbers::pi * j / count;
+    const double azimuth = shown.full->carrier_angle + 2.0 * std::numbers::pi * j / count;
     const auto [y, z] = towards(threads.centre_distance, azimuth);
     const auto [at_y, at_z] = towards(1.13 * nut, azimuth);
-    const bool missing = std::ranges::count(shown->full->missing_rollers, j + 1) > 0;
+    const bool missing = std::ranges::count(shown.full->missing_rollers, j + 1) > 0;
     const double percent = share[static_cast<std::size_t>(j)] * count * "%"_per_si;
     panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false, Label::Anchor::centre});
     if (missing) continue;
@@ -586,22 +582,20 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   figure.x.hidden = figure.y.hidden = true;
   figure.to_scale = true;
   figure.aspect = 0.7;
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Largest thread load of the first present roller over a turn of the carrier.
-Figures carrier_turn(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_turn);
-  if (!shown) return {};
-  const Orbit& orbit = *shown->full->orbit;
+Figure carrier_turn(const Result&, const LoadCaseResult& shown) {
+  const Orbit& orbit = *shown.full->orbit;
   if (orbit.carrier_angle.empty()) return {};
   constexpr double kTurn = 360.0;
   Figure figure{"carrier_turn",
-                fmt::format("One roller over a turn of the carrier, {}", shown_name(shown->load_case.name))};
+                fmt::format("One roller over a turn of the carrier, {}", shown_name(shown.load_case.name))};
   Panel& panel = figure.panels.emplace_back();
   for (const Interface i : kInterfaces) {
     Polyline line;
-    for (std::size_t m = 0; m < orbit.carrier_angle.size(); ++m)
+    for (const auto m : indices(orbit.carrier_angle))
       line.push_back({orbit.carrier_angle[m] * "deg"_per_si, orbit.loads[i].first_roller[m]});
     line.push_back({line.front()[0] + kTurn, line.front()[1]});  // Repeats the first position.
     panel.series.push_back({figure.add(interface_title(i), line_of(colour_of(body_of(i)),
@@ -612,14 +606,14 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   figure.x = {"Angle of the carrier", "°", start, start + kTurn};
   for (double turned = 0.0; turned <= kTurn; turned += 60.0) figure.x.ticks.push_back({start + turned});
   // First present roller.
-  const std::vector<int>& missing = shown->full->missing_rollers;
+  const std::vector<int>& missing = shown.full->missing_rollers;
   int roller = 1;
   while (std::ranges::count(missing, roller) > 0) ++roller;
   figure.y = {fmt::format("Largest normal load of roller {}", roller), "N"};
   fit_y_range(figure);
   figure.y.from = 0.0;
   figure.y.to *= 1.1;
-  return {std::move(figure)};
+  return figure;
 }
 
 }  // namespace
@@ -627,8 +621,8 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
 Pictures roller_pictures(const Result& r) {
   constexpr const char* kNeeds = "a load case of `model: {mechanism: full}` that converged";
   return {{"roller_loads", kNeeds, of_result(r, roller_loads)},
-          {"roller_shares", kNeeds, of_result(r, roller_shares)},
-          {"carrier_turn", "`orbit` in a load case of the full mechanism", of_result(r, carrier_turn)}};
+          {"roller_shares", kNeeds, of_case(r, has_rollers, roller_shares)},
+          {"carrier_turn", "`orbit` in a load case of the full mechanism", of_case(r, has_turn, carrier_turn)}};
 }
 
 }  // namespace prs

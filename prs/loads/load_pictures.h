@@ -16,6 +16,16 @@ std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOpti
 const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& options,
                                   bool (*has)(const LoadCaseResult&));
 
+/// A picture of the case that the options choose, of which `has` is true; the result must outlive it.
+template <class Made>
+auto of_case(const Result& result, bool (*has)(const LoadCaseResult&),
+             Made (*make)(const Result&, const LoadCaseResult&)) {
+  return [&result, has, make](const FigureOptions& options) {
+    const LoadCaseResult* shown = chosen_case(result, options, has);
+    return shown ? in_shown_units(listed(make(result, *shown))) : Figures{};
+  };
+}
+
 /// Quantity compared over the threads, for pictures of analyses that add to the results of load cases.
 
 struct ThreadPlot {
@@ -32,13 +42,13 @@ struct ThreadPlot {
 
 /// Figure with a row of panels per direction, one column per interface, one line per configuration; none without a load
 /// case for which `keep` is true.
-std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options);
+Figure thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options);
 
 /// Whether one roller represents all.
 bool has_shares(const LoadCaseResult& result);
 
-/// The figure with values from zero on; none if there is no figure.
-Figures from_zero(std::optional<Figure> figure);
+/// The figure with values from zero on.
+Figure from_zero(Figure figure);
 
 /// A thread of a load case; its index counts over all rollers, from 0.
 struct ChosenThread {
@@ -53,6 +63,9 @@ struct ChosenThread {
 std::optional<ChosenThread> chosen_thread(const Result& result, const FigureOptions& options,
                                           bool (*has)(const LoadCaseResult&));
 
+/// Label of the semi-axes of an ellipse [mm].
+std::string semi_axes_text(double a, double b);
+
 /// Whether the case is solved with all rollers.
 bool has_rollers(const LoadCaseResult& result);
 
@@ -63,8 +76,8 @@ struct OfThreads {
 };
 
 /// A map of all rollers for each interface, for the load case that the options choose.
-Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
-                       const OfThreads& of);
+Figure map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
+                      const OfThreads& of);
 
 /// Pictures of travels and modes.
 Pictures motion_pictures(const Result& result);

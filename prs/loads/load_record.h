@@ -31,7 +31,7 @@ inline std::optional<std::size_t> index_of_largest(const std::vector<double>& va
 }
 
 /// Entry of a thread; absent if the list has none.
-inline std::optional<double> entry(const std::vector<double>& values, std::optional<std::size_t> thread) {
+inline std::optional<double> entry_if_any(const std::vector<double>& values, std::optional<std::size_t> thread) {
   return thread && *thread < values.size() ? std::optional(values[*thread]) : std::nullopt;
 }
 

@@ -1,6 +1,8 @@
+#include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {
@@ -229,8 +231,8 @@ void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCas
   panel.series.push_back(
       {figure.add(area_of(Colour::bad)), {pulls ? arrow(near, far, y, point) : arrow(far, near, y, point)}});
   const double middle = 0.5 * (near + far);
-  panel.labels.push_back({fmt::format("{:.4g} kN", shown.load_case.axial_force * "kN"_per_si), middle, y + above, false,
-                          Label::Anchor::centre});
+  panel.labels.push_back({in_table_unit(fmt::format("{:.4g} kN", shown.load_case.axial_force * "kN"_per_si)), middle,
+                          y + above, false, Label::Anchor::centre});
   panel.labels.push_back(
       {std::string(name(*shown.load_case.direction)), middle, y - above, false, Label::Anchor::centre});
   figure.x.from = far - 0.1 * room;
@@ -259,7 +261,7 @@ const LoadCaseResult* case_shown(const Result& result, const FigureOptions& opti
 
 /// Screw, a roller and nut cut along the axis, to scale, with sizes in mm, supports and the load on the screw; the
 /// contacts have the colours of their loads. For a full mechanism the roller with the largest load.
-Figures mechanism_section(const Case& c, const Result& result, const FigureOptions& options) {
+Figure mechanism_section(const Case& c, const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = case_shown(result, options);
   const SectionPlace p = place_of(c, result, shown);
   const contact::MechanismGeometry& threads = result.contacts.threads;
@@ -288,7 +290,7 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
     Range range;
     const auto count = static_cast<std::size_t>(p.contacts);
     for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < count; ++k) {
+      for (const auto k : up_to(count)) {
         const double load = (*shown->threads)[i].load_rate[shown_roller(*shown) * count + k];
         bars.parts.push_back(contact_bar(teeth.roller, i, *shown->load_case.direction,
                                          p.first + static_cast<double>(k) * p.pitch, axis));
@@ -310,11 +312,11 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
   if (shown && shown->load_case.direction) add_load(figure, panel, p, *shown, top);
   figure.aspect = (figure.y.to - figure.y.from) / (figure.x.to - figure.x.from);
   figure.to_scale = true;
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Rollers between screw and nut, seen along the axis; those of a full mechanism in the colours of their shares.
-Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& options) {
+Figure mechanism_end(const Case& c, const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = case_shown(result, options);
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const double axis = threads.centre_distance * kMm;
@@ -354,7 +356,7 @@ Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& 
   figure.x.hidden = figure.y.hidden = true;
   figure.to_scale = true;
   figure.aspect = 0.7;
-  return {std::move(figure)};
+  return figure;
 }
 
 bool has_threads(const LoadCaseResult& result) { return result.threads.has_value(); }
@@ -386,7 +388,7 @@ std::optional<ChosenThread> chosen_thread(const Result& result, const FigureOpti
 namespace {
 
 /// Hertz' pressure p_0 sqrt(1 - (x/a)^2 - (y/b)^2) over both ellipses of a thread.
-Figures thread_pressure(const Result& result, const FigureOptions& options) {
+Figure thread_pressure(const Result& result, const FigureOptions& options) {
   const auto chosen = chosen_thread(result, options, has_threads);
   if (!chosen) return {};
   constexpr int kRings = 12;
@@ -400,7 +402,8 @@ Figures thread_pressure(const Result& result, const FigureOptions& options) {
     const double b = loads.semi_minor[chosen->thread] * "mm"_per_si;
     const double peak = loads.peak_pressure[chosen->thread] * "MPa"_per_si;
     Panel& panel = figure.panels.emplace_back();
-    panel.title = fmt::format("{}: {:.4g} N", interface_title(i), loads.normal_load[chosen->thread]);
+    panel.title = fmt::format("{}: {}", interface_title(i),
+                              in_table_unit(fmt::format("{:.4g} N", loads.normal_load[chosen->thread])));
     Series series{rings};
     for (int k = 0; k < kRings; ++k) {
       // Rings of equal steps of pressure, each in the colour of its middle value.
@@ -409,7 +412,7 @@ Figures thread_pressure(const Result& result, const FigureOptions& options) {
       series.values.push_back(peak * (k + 0.5) / kRings);
     }
     panel.series.push_back(std::move(series));
-    panel.labels.push_back({fmt::format("a = {:.4f} mm, b = {:.4f} mm", a, b), 0.03, 0.06, true});
+    panel.labels.push_back({semi_axes_text(a, b), 0.03, 0.06, true});
     half = std::max(half, a);
     most = std::max(most, peak);
   }
@@ -420,12 +423,12 @@ Figures thread_pressure(const Result& result, const FigureOptions& options) {
   figure.colours = ColourScale{"Pressure", "MPa", 0.0, most};
   figure.aspect = 0.6;
   figure.to_scale = true;
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Principal stresses and largest shear stress below the centre of both ellipses of a thread, of
 /// the body with the smaller Poisson's ratio, see `contact::stress_on_axis`.
-Figures thread_stress(const Case& c, const Result& result, const FigureOptions& options) {
+Figure thread_stress(const Case& c, const Result& result, const FigureOptions& options) {
   const auto chosen = chosen_thread(result, options, has_threads);
   if (!chosen || !c.materials) return {};
   constexpr int kSteps = 60;
@@ -466,7 +469,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
   figure.columns = figure.panels.size();
   figure.x = {"Depth", "µm"};
   figure.y = {"Stress", "MPa"};
-  return {std::move(figure)};
+  return figure;
 }
 
 }  // namespace
@@ -475,8 +478,8 @@ Pictures drawings(const Case& c, const Result& r) {
   using enum Picture::Drawn;
   constexpr const char* kMechanism = "a mechanism";
   constexpr const char* kEllipses = "a load case that converged, and contacts that come from the threads";
-  const auto draw = [&c, &r](Figures (*make)(const Case&, const Result&, const FigureOptions&)) {
-    return [&c, &r, make](const FigureOptions& options) { return make(c, r, options); };
+  const auto draw = [&c, &r](Figure (*make)(const Case&, const Result&, const FigureOptions&)) {
+    return [&c, &r, make](const FigureOptions& options) { return listed(make(c, r, options)); };
   };
   return {{"section", kMechanism, draw(mechanism_section), by_name},
           {"end_view", kMechanism, draw(mechanism_end), by_name},
@@ -485,7 +488,7 @@ Pictures drawings(const Case& c, const Result& r) {
 }
 
 Pictures with_drawings(Pictures pictures, const Case& c, const Result& r) {
-  std::ranges::move(drawings(c, r), std::back_inserter(pictures));
+  append(pictures, drawings(c, r));
   return pictures;
 }
 

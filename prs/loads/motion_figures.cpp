@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
@@ -25,21 +26,19 @@ Figure figure_of(std::string name, std::string_view what, const LoadCaseResult& 
 
 double turns_at(const TravelResult& t, std::size_t k) { return t.angle[k] / (2.0 * std::numbers::pi); }
 
-Figures travel_deviation(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_travel);
-  if (!shown) return {};
-  const TravelResult& t = *shown->full->travel;
-  Figure figure = figure_of("travel_deviation", "Travel deviation", *shown);
+Figure travel_deviation(const Result&, const LoadCaseResult& shown) {
+  const TravelResult& t = *shown.full->travel;
+  Figure figure = figure_of("travel_deviation", "Travel deviation", shown);
   Series deviation{figure.add("deviation", line_of(Colour::blue))};
   Series line{figure.add("mean travel", line_of(Colour::ink, Dash::dashed))};
   Series band{figure.add("band v_ua", line_of(Colour::grey, Dash::dotted))};
   double low = 0.0, high = 0.0;
-  for (std::size_t k = 0; k < t.angle.size(); ++k) {
+  for (const auto k : indices(t.angle)) {
     low = std::min(low, t.displacement[k] - t.bands.line[k]);
     high = std::max(high, t.displacement[k] - t.bands.line[k]);
   }
   Polyline all, mean, below, above;
-  for (std::size_t k = 0; k < t.angle.size(); ++k) {
+  for (const auto k : indices(t.angle)) {
     const double x = turns_at(t, k), on_line = t.bands.line[k] - t.mean_displacement;
     const auto point = [&](double si) { return std::array{x, si * "µm"_per_si}; };
     all.push_back(point(t.displacement[k] - t.mean_displacement));
@@ -53,7 +52,7 @@ Figures travel_deviation(const Result& result, const FigureOptions& options) {
   figure.x = {"Turns of the screw against the nut"};
   figure.y = {"Deviation", "µm"};
   figure.panels.push_back({.series = {std::move(band), std::move(line), std::move(deviation)}});
-  return {std::move(figure)};
+  return figure;
 }
 
 /// The simplest sum of multiples of turn, carrier and spin within half a line.
@@ -82,12 +81,10 @@ std::string combination(double order, double resolution, const std::vector<Motio
   return best;
 }
 
-Figures travel_orders(const Result& result, const FigureOptions& options) {
+Figure travel_orders(const Result& result, const LoadCaseResult& shown) {
   constexpr std::size_t kNamed = 6;
-  const LoadCaseResult* shown = chosen_case(result, options, has_travel);
-  if (!shown) return {};
-  const TravelResult& t = *shown->full->travel;
-  Figure figure = figure_of("travel_orders", "Travel deviation by orders", *shown);
+  const TravelResult& t = *shown.full->travel;
+  Figure figure = figure_of("travel_orders", "Travel deviation by orders", shown);
   Series lines{
       figure.add(fmt::format("spectrum, {:.3g} apart", 1.0 / std::abs(t.travel.turns)), line_of(Colour::blue))};
   std::vector<const OrderAmplitude*> largest;
@@ -110,15 +107,13 @@ Figures travel_orders(const Result& result, const FigureOptions& options) {
   figure.x = {"Periods in a turn"};
   figure.y = {"Amplitude", "µm", 0.0};
   figure.panels.push_back(std::move(panel));
-  return {std::move(figure)};
+  return figure;
 }
 
-Figures travel_thread_loads(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_travel);
-  if (!shown) return {};
-  const TravelResult& t = *shown->full->travel;
+Figure travel_thread_loads(const Result&, const LoadCaseResult& shown) {
+  const TravelResult& t = *shown.full->travel;
   if (t.loads.screw.of_roller.empty()) return {};
-  Figure figure = figure_of("travel_loads", "The most loaded roller over the travel", *shown);
+  Figure figure = figure_of("travel_loads", "The most loaded roller over the travel", shown);
   figure.columns = 2;
   for (const Interface i : kInterfaces) {
     const TravelLoads& loads = t.loads[i];
@@ -126,7 +121,7 @@ Figures travel_thread_loads(const Result& result, const FigureOptions& options) 
     const std::size_t threads = loads.of_roller.front().size();
     for (const std::size_t k : {std::size_t{0}, threads / 2, threads - 1}) {
       Polyline line;
-      for (std::size_t p = 0; p < t.angle.size(); ++p) line.push_back({turns_at(t, p), loads.of_roller[p][k]});
+      for (const auto p : indices(t.angle)) line.push_back({turns_at(t, p), loads.of_roller[p][k]});
       const std::size_t style = i == Interface::screw
                                     ? figure.add(fmt::format("thread {}", k + 1), line_number(panel.series.size()))
                                     : panel.series.size();
@@ -136,48 +131,43 @@ Figures travel_thread_loads(const Result& result, const FigureOptions& options) 
   }
   figure.x = {"Turns of the screw against the nut"};
   figure.y = {"Normal load", "N"};
-  return {std::move(figure)};
+  return figure;
 }
 
-Figures travel_path(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_travel);
-  if (!shown) return {};
-  Figure figure = figure_of("travel_path", "Path of the screw's end", *shown);
+Figure travel_path(const Result&, const LoadCaseResult& shown) {
+  Figure figure = figure_of("travel_path", "Path of the screw's end", shown);
   Polyline path;
-  for (const Lateral& l : shown->full->travel->end_displacement) path.push_back({l.y * "µm"_per_si, l.z * "µm"_per_si});
+  for (const Lateral& l : shown.full->travel->end_displacement) path.push_back({l.y * "µm"_per_si, l.z * "µm"_per_si});
   figure.panels.push_back({.series = {{figure.add(line_of(Colour::blue)), {std::move(path)}}}});
   figure.x = {"y", "µm"};
   figure.y = {"z", "µm"};
   figure.to_scale = true;
-  return {std::move(figure)};
+  return figure;
 }
 
-Figures mode_shapes(const Result& result, const FigureOptions& options) {
+Figure mode_shapes(const Result&, const LoadCaseResult& shown) {
   constexpr std::size_t kMost = 6;
   constexpr const char* kNames[] = {"x", "y", "z"};
-  const LoadCaseResult* shown = chosen_case(result, options, has_modes);
-  if (!shown) return {};
-  const ModesResult& m = *shown->full->modes;
-  Figure figure = figure_of("mode_shapes", "Modes, screw and nut", *shown);
+  const ModesResult& m = *shown.full->modes;
+  Figure figure = figure_of("mode_shapes", "Modes, screw and nut", shown);
   figure.columns = 2;
   for (const Dash dash : {Dash::solid, Dash::dashed})
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const auto axis : up_to(3))
       figure.add(fmt::format("{} {}", dash == Dash::solid ? "screw" : "nut", kNames[axis]),
                  line_of(kColours[axis], dash));
   for (std::size_t k = 0; k < std::min(m.modes.size(), kMost); ++k) {
     Panel panel{.title = fmt::format("{:.5g} Hz", m.modes[k].frequency)};
     for (const Interface i : kInterfaces)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const auto axis : up_to(3)) {
         Polyline line;
-        for (std::size_t n = 0; n < m.x[i].size(); ++n)
-          line.push_back({m.x[i][n] * "mm"_per_si, m.modes[k].shape[i][n][axis]});
+        for (const auto n : indices(m.x[i])) line.push_back({m.x[i][n] * "mm"_per_si, m.modes[k].shape[i][n][axis]});
         panel.series.push_back({axis + (i == Interface::screw ? 0 : 3), {std::move(line)}});
       }
     figure.panels.push_back(std::move(panel));
   }
   figure.x = {"x", "mm"};
   figure.y = {"Displacement"};
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Adds frequencies, each a line over x of the columns.
@@ -200,7 +190,7 @@ Figures mode_frequencies(const Result& result, const FigureOptions& options) {
   if (const LoadCaseResult* shown = chosen_case(result, options, has_modes_along_travel)) {
     const ModesResult::AlongTravel& along = *shown->full->modes->along_travel;
     std::vector<std::pair<double, std::vector<double>>> at;
-    for (std::size_t k = 0; k < along.angle.size(); ++k)
+    for (const auto k : indices(along.angle))
       at.emplace_back(along.angle[k] / (2.0 * std::numbers::pi), along.frequency[k]);
     Figure figure = figure_of("modes_over_travel", "Natural frequencies over the travel", *shown);
     figure.x = {"Turns of the screw against the nut"};
@@ -222,18 +212,17 @@ Figures mode_frequencies(const Result& result, const FigureOptions& options) {
   return figures;
 }
 
-Figures campbell(const Result& result, const FigureOptions& options) {
+Figure campbell(const Result&, const LoadCaseResult& shown) {
   constexpr std::size_t kMost = 6;
-  const LoadCaseResult* shown = chosen_case(result, options, has_modes);
-  if (!shown || shown->full->modes->orders.empty()) return {};
-  const ModesResult& m = *shown->full->modes;
-  Figure figure = figure_of("campbell", "Speeds at which orders meet natural frequencies", *shown);
+  if (shown.full->modes->orders.empty()) return {};
+  const ModesResult& m = *shown.full->modes;
+  Figure figure = figure_of("campbell", "Speeds at which orders meet natural frequencies", shown);
   const std::size_t modes = std::min(m.modes.size(), kMost);
   const auto [slowest, fastest] = std::ranges::minmax(m.orders, {}, &MotionOrder::order);
   const double speed = 1.2 * 60.0 * m.modes[0].frequency / slowest.order;  // Every order crosses the lowest frequency.
   const double highest = std::min(1.1 * m.modes[modes - 1].frequency, speed / 60.0 * fastest.order);
   Panel panel;
-  for (std::size_t k = 0; k < m.orders.size(); ++k) {
+  for (const auto k : indices(m.orders)) {
     const double end = std::min(speed, 60.0 * highest / m.orders[k].order);
     std::string name(m.orders[k].name);
     std::ranges::replace(name, '_', ' ');
@@ -246,7 +235,7 @@ Figures campbell(const Result& result, const FigureOptions& options) {
   figure.x = {"Speed of screw against nut", "rpm", 0.0, speed};
   figure.y = {"Frequency", "Hz", 0.0, highest};
   figure.panels.push_back(std::move(panel));
-  return {std::move(figure)};
+  return figure;
 }
 
 }  // namespace
@@ -270,13 +259,13 @@ std::vector<Headline> frequencies(const Result& result) {
 Pictures motion_pictures(const Result& r) {
   constexpr const char* kTravel = "`travel` in a load case of the full mechanism, and errors that turn";
   constexpr const char* kModes = "`modes` in a load case of the full mechanism";
-  return {{"travel_deviation", kTravel, of_result(r, travel_deviation)},
-          {"travel_orders", kTravel, of_result(r, travel_orders)},
-          {"travel_loads", kTravel, of_result(r, travel_thread_loads)},
-          {"travel_path", kTravel, of_result(r, travel_path)},
-          {"mode_shapes", kModes, of_result(r, mode_shapes)},
+  return {{"travel_deviation", kTravel, of_case(r, has_travel, travel_deviation)},
+          {"travel_orders", kTravel, of_case(r, has_travel, travel_orders)},
+          {"travel_loads", kTravel, of_case(r, has_travel, travel_thread_loads)},
+          {"travel_path", kTravel, of_case(r, has_travel, travel_path)},
+          {"mode_shapes", kModes, of_case(r, has_modes, mode_shapes)},
           {"mode_frequencies", "`modes` with `positions`, or of three loads", of_result(r, mode_frequencies)},
-          {"campbell", kModes, of_result(r, campbell)}};
+          {"campbell", kModes, of_case(r, has_modes, campbell)}};
 }
 
 }  // namespace prs

@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/record_table.h"
 
@@ -45,7 +46,7 @@ constexpr Quantity<TravelEnd> kTravelEnd[] = {
     {"displacement_um", of<[](const TravelEnd& e) {
        const std::vector<double> x = e.travel->deviation();
        std::vector<std::vector<double>> rows;
-       for (std::size_t k = 0; k < x.size(); ++k)
+       for (const auto k : indices(x))
          rows.push_back({x[k], e.travel->end_displacement[k].y, e.travel->end_displacement[k].z});
        return rows;
      }>,

@@ -1,6 +1,7 @@
 #include "prs/losses/life_analysis.h"
 
 #include "prs/heat/analyze_heat.h"
+#include "prs/indices.h"
 #include "prs/input/force_history.h"
 #include "prs/life/life_criteria.h"
 #include "prs/life/life_record.h"
@@ -120,7 +121,7 @@ std::string capacities(const LifeResult& r, bool all) {
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
   text += life_line("static safety", r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
-                                                                     in_table_units(describe(*r.static_safety_limit())))
+                                                                     describe(*r.static_safety_limit()))
                                                        : std::string(kAbsent));
   return text;
 }
@@ -174,7 +175,7 @@ std::string lives_csv(const LifeResult& r, const CsvStyle& style, const Lives& (
       const Lives& lives = lives_of(r.flanks[d]->threads[i]);
       std::size_t threads = lives.life.size();
       if constexpr (all_rollers) threads = static_cast<std::size_t>(lives.threads_per_roller);
-      for (std::size_t k = 0; k < lives.life.size(); ++k) {
+      for (const auto k : indices(lives.life)) {
         csv.fields(name(d), name(i));
         if (all_rollers) csv.integer(k / threads + 1);
         csv.integer(k % threads + 1);
@@ -255,7 +256,7 @@ Panel course_panel(const LoadHistory& h) {
   const std::size_t columns = std::min(kOverviewColumns, count);
   Series envelope{0, {}};
   Range forces{0.0, 0.0};
-  for (std::size_t c = 0; c < columns; ++c) {
+  for (const auto c : up_to(columns)) {
     const std::size_t first = c * count / columns;
     const std::size_t last = std::min((c + 1) * count / columns, count - 1);
     const auto [low, high] = std::minmax_element(h.force.begin() + static_cast<std::ptrdiff_t>(first),
@@ -291,7 +292,7 @@ Panel travel_panel(const LifeResult& r) {
   }
   Series shares{0, {}}, damages{1, {{}}};
   double top = 0.0;
-  for (std::size_t k = 0; k < share.size(); ++k) {
+  for (const auto k : indices(share)) {
     const double x = (forces.from + width * (static_cast<double>(k) + 0.5)) * "kN"_per_si;
     const double part = all_damage > 0.0 ? damage[k] / all_damage : 0.0;
     shares.parts.push_back(bar(x, 0.0, "%"_per_si * share[k], 0.46 * width * "kN"_per_si));
@@ -305,7 +306,7 @@ Panel travel_panel(const LifeResult& r) {
 }
 
 /// Equivalent axial load of each thread.
-Figures thread_loads(const LifeResult& r) {
+Figure thread_loads(const LifeResult& r) {
   if (!has_lives(r)) return {};
   Figure figure{"thread_loads", "Equivalent axial load of a thread"};
   figure.y = {"Axial load", "N"};
@@ -316,17 +317,17 @@ Figures thread_loads(const LifeResult& r) {
   thread_panels(r, figure, [&](Panel& panel, const auto& flank, Interface i) {
     const ThreadLives& t = flank.threads[i];
     Series bars{0};
-    for (std::size_t k = 0; k < t.equivalent_load.size(); ++k)
+    for (const auto k : indices(t.equivalent_load))
       bars.parts.push_back(bar(static_cast<double>(k + 1), 0.0, t.equivalent_load[k], 0.38));
     panel.series.push_back(std::move(bars));
     if (r.cycles) panel.series.push_back({1, {over_threads(t.equivalent_range, 1.0)}});
   });
   fit_y_range(figure);
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Basic rating life of each thread on all rollers.
-Figures thread_lives(const LifeResult& r) {
+Figure thread_lives(const LifeResult& r) {
   if (!has_lives(r)) return {};
   Figure figure{"thread_lives", "Life of a thread on all rollers"};
   figure.y = {"L10", "10⁹ revolutions"};
@@ -337,7 +338,7 @@ Figures thread_lives(const LifeResult& r) {
   thread_panels(r, figure, [&](Panel& panel, const auto& flank, Interface i) {
     Series points{0, {{}}};
     const std::vector<double>& life = flank.threads[i].life;
-    for (std::size_t k = 0; k < life.size(); ++k)
+    for (const auto k : indices(life))
       if (std::isfinite(life[k])) {
         points.parts[0].push_back({static_cast<double>(k + 1), life[k] * kBillionth});
         lives.include(life[k] * kBillionth);
@@ -350,22 +351,22 @@ Figures thread_lives(const LifeResult& r) {
   constexpr double kLargestRatio = 1e5;
   figure.y.from = 0.7 * lives.from;
   figure.y.to = std::min(1.4 * lives.to, kLargestRatio * lives.from);
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Course of the load, and revolutions and damage over it.
-Figures load_history(const LifeResult& r) {
+Figure load_history(const LifeResult& r) {
   Figure figure{"loads", r.history ? "Load history" : "Load spectrum"};
   figure.columns = r.history ? 2 : 1;
   figure.add(r.history ? "load, revolutions" : "revolutions", area_of(Colour::sky));
   figure.add("damage, |F|³ times revolutions", {Colour::vermillion, Dash::solid, Mark::circle, Weight::thin});
   if (r.history) figure.panels.push_back(course_panel(*r.history));
   figure.panels.push_back(travel_panel(r));
-  return {std::move(figure)};
+  return figure;
 }
 
 /// Rainflow matrix: how many load cycles have which mean and range.
-Figures rainflow(const LifeResult& r) {
+Figure rainflow(const LifeResult& r) {
   if (!r.cycles) return {};
   const CycleMatrix& m = r.cycles->matrix;
   if (!(m.range_to > 0.0 && m.mean_to > m.mean_from)) return {};
@@ -378,11 +379,11 @@ Figures rainflow(const LifeResult& r) {
   const auto bins = static_cast<std::size_t>(m.bins);
   grid.values.assign(bins * bins, kFree);
   Range cycles;
-  for (std::size_t k = 0; k < bins; ++k) {
+  for (const auto k : up_to(bins)) {
     const double middle = static_cast<double>(k) + 0.5;
     grid.x.push_back((m.mean_from + middle * m.mean_width()) * "kN"_per_si);
     grid.y.push_back(middle * m.range_width() * "kN"_per_si);
-    for (std::size_t i = 0; i < bins; ++i)
+    for (const auto i : up_to(bins))
       if (const double n = m.at(static_cast<int>(i), static_cast<int>(k)); n > 0.0) {
         grid.values[k * bins + i] = n;
         cycles.include(n);
@@ -392,7 +393,7 @@ Figures rainflow(const LifeResult& r) {
   figure.colours = ColourScale{"Cycles", "", cycles.from, std::max(cycles.to, 10.0 * cycles.from)};
   figure.colours->logarithmic = true;
   figure.panels.push_back(std::move(panel));
-  return {std::move(figure)};
+  return figure;
 }
 
 std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& style) {

@@ -1,6 +1,7 @@
 #include "prs/losses/preload_analysis.h"
 
 #include "prs/heat/analyze_heat.h"
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/preload/preload_record.h"
@@ -47,7 +48,7 @@ Panel side_panel(const PreloadResult& r) {
 }
 
 /// Displacement and tangent stiffness over the external load, with preload and without, and the load of each side.
-Figures preload_curves(const PreloadResult& r) {
+Figure preload_curves(const PreloadResult& r) {
   if (!r.at_rest.solve.converged()) return {};
   Figure figure{"preload", r.preload.backlash ? "Axial play" : "Preload"};
   figure.x = {std::string(kSignedForce), "kN", r.preload.load.from * "kN"_per_si, r.preload.load.to * "kN"_per_si};
@@ -70,7 +71,7 @@ Figures preload_curves(const PreloadResult& r) {
                     return *p.tangent_stiffness * "N/µm"_per_si;
                   }),
       side_panel(r)};
-  return {std::move(figure)};
+  return figure;
 }
 
 constexpr std::size_t kMostRows = 24;
@@ -153,7 +154,7 @@ std::string preload_table(const PreloadResult& r) {
   text += kCurveRows("", units);
   const std::size_t count = r.curve.points.size();
   const std::size_t step = (count + kMostRows - 1) / kMostRows;
-  for (std::size_t k = 0; k < count; ++k)
+  for (const auto k : up_to(count))
     if (k % step == 0 || k + 1 == count || !r.curve.points[k].solve.converged()) text += row(r, k);
   if (step > 1) text += fmt::format("  … of {} loads; {}\n", count, all_in("preload.csv"));
   return text + warning_section(r.warnings);
@@ -178,7 +179,7 @@ std::string preload_csv(const PreloadResult& result, const CsvStyle& style) {
   csv.row("axial_force_N", "status", "axial_displacement_um", "tangent_stiffness_N_per_um", "tension_side_load_N",
           "tension_side_max_normal_load_N", "compression_side_load_N", "compression_side_max_normal_load_N",
           "without_preload_status", "without_preload_displacement_um", "without_preload_tangent_stiffness_N_per_um");
-  for (std::size_t k = 0; k < result.curve.points.size(); ++k) {
+  for (const auto k : indices(result.curve.points)) {
     const PreloadPoint& point = result.curve.points[k];
     csv.number(point.axial_force);
     curve_fields(csv, &point);

@@ -360,11 +360,12 @@ const Analysis<Result>& slip_analysis() {
 std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
   const InterfaceSlip& threads = slip.threads[slip.hottest.interface];
   const auto thread = static_cast<std::size_t>(slip.hottest.thread);
-  const std::optional<double> density = entry(threads.power_density, thread);
+  const std::optional<double> density = entry_if_any(threads.power_density, thread);
   if (!density) return std::nullopt;
   const auto row = static_cast<std::size_t>(threads.threads_per_roller);
   return HottestThread{slip.hottest.interface, (row ? thread % row : thread) + 1,
-                       row ? std::optional(thread / row + 1) : std::nullopt, entry(threads.power, thread), *density};
+                       row ? std::optional(thread / row + 1) : std::nullopt, entry_if_any(threads.power, thread),
+                       *density};
 }
 
 PRS_RECORD(InterfaceSlip, "InterfaceSlip",

@@ -1,7 +1,9 @@
 #include "prs/losses/slip_figures.h"
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
+#include "prs/record/table_units.h"
 #include "prs/slip/slip_warnings.h"
 
 namespace prs {
@@ -23,7 +25,7 @@ bool has_power_of_rollers(const LoadCaseResult& result) { return has_rollers(res
 
 bool has_slip_of_threads(const LoadCaseResult& result) { return result.threads && has_slip(result); }
 
-Figures thread_power(const Result& result, const FigureOptions& options) {
+Figure thread_power(const Result& result, const FigureOptions& options) {
   FigureOptions one = options;
   if (options.load_case) one.load_cases = {*options.load_case};
   return from_zero(thread_figure({"thread_power", "Power lost at each thread of a roller", "Power", "W",
@@ -32,32 +34,30 @@ Figures thread_power(const Result& result, const FigureOptions& options) {
 }
 
 /// Friction coefficient of each thread and sliding speed at the centre of its contact, a panel each.
-Figures friction(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_thread_slip);
-  if (!shown) return {};
-  Figure figure{"friction", "Friction and sliding of each thread, " + shown_name(shown->load_case.name)};
+Figure friction(const Result&, const LoadCaseResult& shown) {
+  Figure figure{"friction", "Friction and sliding of each thread, " + shown_name(shown.load_case.name)};
   figure.columns = 2;
-  for (std::size_t k = 0; k < std::size(kInterfaces); ++k) figure.add(interface_title(kInterfaces[k]), marked_line(k));
+  for (const auto k : up_to(std::size(kInterfaces))) figure.add(interface_title(kInterfaces[k]), marked_line(k));
   const auto add = [&](const char* title, const char* unit, auto values, double factor) {
     Panel& panel = figure.panels.emplace_back(Panel{title});
-    for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
-      panel.series.push_back({k, {over_threads(shown->slip->threads[kInterfaces[k]].*values, factor)}});
+    for (const auto k : up_to(std::size(kInterfaces)))
+      panel.series.push_back({k, {over_threads(shown.slip->threads[kInterfaces[k]].*values, factor)}});
     panel.y = fitted({title, unit}, range_of_y(panel.series), true);
   };
   add("Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0);
   add("Sliding speed at the centre", "mm/s", &InterfaceSlip::sliding_speed, "mm"_per_si);
-  figure.x = thread_axis(shown->threads->screw.axial_load.size());
-  return {std::move(figure)};
+  figure.x = thread_axis(shown.threads->screw.axial_load.size());
+  return figure;
 }
 
 /// Power lost at every thread of every roller, at both interfaces.
-Figures roller_power(const Result& result, const FigureOptions& options) {
+Figure roller_power(const Result& result, const FigureOptions& options) {
   return map_of_rollers({"roller_power", "Power lost at all rollers"}, result, options, {"Power lost", "W"},
                         {has_power_of_rollers, slip_of<&InterfaceSlip::power>});
 }
 
 /// Friction coefficient at every thread of every roller, at both interfaces.
-Figures roller_friction(const Result& result, const FigureOptions& options) {
+Figure roller_friction(const Result& result, const FigureOptions& options) {
   return map_of_rollers({"roller_friction", "Friction at all rollers"}, result, options, {"Friction coefficient"},
                         {has_power_of_rollers, slip_of<&InterfaceSlip::friction_coefficient>});
 }
@@ -84,7 +84,7 @@ Map friction_map(const PatchField& field) {
   const auto count = static_cast<std::size_t>(field.points);
   const auto middles = [&](double semi_axis) {
     std::vector<double> at;
-    for (std::size_t k = 0; k < count; ++k)
+    for (const auto k : up_to(count))
       at.push_back(semi_axis * (2.0 * static_cast<double>(k) + 1.0 - field.points) / field.points * "mm"_per_si);
     return at;
   };
@@ -92,7 +92,7 @@ Map friction_map(const PatchField& field) {
   const auto place = [&](double position, double semi_axis) {
     return static_cast<std::size_t>(std::lround((position / semi_axis * field.points + field.points - 1.0) / 2.0));
   };
-  for (std::size_t k = 0; k < field.friction_coefficient.size(); ++k)
+  for (const auto k : indices(field.friction_coefficient))
     map.grid
         .values[place(field.along_major[k], field.semi_major) * count + place(field.along_minor[k], field.semi_minor)] =
         field.friction_coefficient[k];
@@ -101,7 +101,7 @@ Map friction_map(const PatchField& field) {
 
 double largest_speed(const PatchField& field) {
   double largest = 0.0;
-  for (std::size_t k = 0; k < field.sliding_major.size(); ++k)
+  for (const auto k : indices(field.sliding_major))
     largest = std::max(largest, std::hypot(field.sliding_major[k], field.sliding_minor[k]));
   return largest;
 }
@@ -122,7 +122,7 @@ Series arrows(const PatchField& field) {
   if (!(largest > 0.0)) return line;
   const double spacing = 2.0 * field.semi_minor / field.points * arrow_step(field);
   const double scale = 0.5 * spacing / largest * "mm"_per_si;
-  for (std::size_t k = 0; k < field.sliding_major.size(); ++k) {
+  for (const auto k : indices(field.sliding_major)) {
     if (!has_arrow(field.along_major[k], field.semi_major, field) ||
         !has_arrow(field.along_minor[k], field.semi_minor, field))
       continue;
@@ -141,7 +141,8 @@ std::string thread_title(const LoadCaseResult& result, Interface i, std::optiona
   const std::vector<double>& loads = (*result.threads)[i].normal_load;
   if (!thread) thread = index_of_largest(loads);
   if (!thread) return interface_title(i);
-  return fmt::format("{}, thread {}: {:.4g} N", interface_title(i), *thread + 1, loads[*thread]);
+  return fmt::format("{}, thread {}: {}", interface_title(i), *thread + 1,
+                     in_table_unit(fmt::format("{:.4g} N", loads[*thread])));
 }
 
 Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interface i,
@@ -151,7 +152,8 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
   panel.series = {{kOutline, {ellipse(0.0, 0.0, field.semi_major * "mm"_per_si, field.semi_minor * "mm"_per_si, 0.0)}},
                   arrows(field)};
   panel.labels.push_back(
-      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * "mm"_per_si), 0.03, 0.05, true});
+      {"longest arrow " + in_table_unit(fmt::format("{:.3g} mm/s", largest_speed(field) * "mm"_per_si)), 0.03, 0.05,
+       true});
   return panel;
 }
 
@@ -225,7 +227,7 @@ SlipAxis around_ideal(const ResidueCurve& residue, double ideal) {
 
 Polyline curve(const ResidueCurve& residue, const MomentCurve& of, const SlipAxis& axis) {
   Polyline points;
-  for (std::size_t k = 0; k < residue.slip_ratio.size(); ++k)
+  for (const auto k : indices(residue.slip_ratio))
     points.push_back({axis(residue.slip_ratio[k]), of.value(residue.moments[k]) * "N mm"_per_si});
   return points;
 }
@@ -253,7 +255,7 @@ Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double 
 Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipResult& slip, const SlipAxis& shown,
                     double margin) {
   Panel panel{std::move(title)};
-  for (std::size_t k = 0; k < std::size(kCurves); ++k) panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
+  for (const auto k : up_to(std::size(kCurves))) panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
   panel.references = {
       {kZero, 0.0}, {kIdeal, shown(slip.ideal_slip_ratio), true}, {kRoot, shown(slip.slip_ratio), true}};
   panel.x = slip_ratio_axis(residue, shown, margin);
@@ -315,7 +317,7 @@ auto of_slip(const Result& result, std::function<Figure(std::size_t)> make) {
     for (std::size_t k = 0; k < result.load_cases.size() && cases.size() < kMost; ++k)
       if (has_slip(result.load_cases[k]) && (!options.load_case || k == *options.load_case)) cases.push_back(k);
     Figures figures;
-    for (std::size_t k = 0; k < cases.size(); ++k) {
+    for (const auto k : indices(cases)) {
       figures.push_back(make(cases[k]));
       if (cases.size() > 1) figures.back().name += fmt::format("_{}", k + 1);
     }
@@ -338,7 +340,7 @@ Pictures slip_pictures(const Case& c, const Result& r) {
   return with(
       {{"power_by_source", kConvergedSlip, of_result(r, power_by_source)},
        {"thread_power", kConvergedSlip, of_result(r, thread_power)},
-       {"friction", kConvergedSlip, of_result(r, friction)},
+       {"friction", kConvergedSlip, of_case(r, has_thread_slip, friction)},
        {"roller_power", kSlipOfRollers, of_result(r, roller_power)},
        {"roller_friction", kSlipOfRollers, of_result(r, roller_friction)},
        {"stribeck", kConvergedSlip,
@@ -387,7 +389,7 @@ std::vector<std::vector<SweepPoint>> unbroken(const std::vector<SweepPoint>& poi
 
 double power_below(const SlipResult& slip, std::size_t source) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < source; ++k) sum += slip.power.*kPowerSources[k].value;
+  for (const auto k : up_to(source)) sum += slip.power.*kPowerSources[k].value;
   return sum;
 }
 
@@ -422,7 +424,7 @@ bool has_power(const std::vector<std::vector<SweepPoint>>& runs, const PowerSour
 
 /// The points of the options in both panels.
 void add_references(Figure& figure, const PowerFigureOptions& options, double factor) {
-  for (std::size_t k = 0; k < options.references.size(); ++k) {
+  for (const auto k : indices(options.references)) {
     const ReferencePoint& point = options.references[k];
     const std::size_t style =
         figure.add(point.title, points_of(palette(1 + k), static_cast<Mark>(1 + k % 8), Weight::strong));
@@ -453,9 +455,9 @@ Figure power_bars(std::vector<const LoadCaseResult*> cases) {
   figure.y = {"Power lost", "W", 0.0};
   figure.x = {"", "", 0.4, std::max(static_cast<double>(cases.size()) + 0.6, 2.6)};
   Panel& panel = figure.panels.emplace_back();
-  for (std::size_t k = 0; k < std::size(kPowerSources); ++k) {
+  for (const auto k : up_to(std::size(kPowerSources))) {
     Series bars;
-    for (std::size_t c = 0; c < cases.size(); ++c) {
+    for (const auto c : indices(cases)) {
       const SlipResult& slip = *cases[c]->slip;
       const double at = static_cast<double>(c + 1), power = slip.power.*kPowerSources[k].value;
       const double below = power_below(slip, k);
@@ -482,7 +484,7 @@ Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis, co
   figure.panels.resize(2);
   Panel& power = figure.panels[0];
   power.title = "Power lost";
-  for (std::size_t k = 0; k < std::size(kPowerSources); ++k) {
+  for (const auto k : up_to(std::size(kPowerSources))) {
     if (!has_power(runs, kPowerSources[k])) continue;
     const std::size_t style = figure.add(std::string(kPowerSources[k].title), area_of(kSourceColours[k]));
     power.series.push_back(series_of(style, runs, [&](const auto& r) { return area(r, k, factor); }));
@@ -538,7 +540,7 @@ constexpr double kRpm = "rpm"_per_si;
 template <class Value>
 Series over_speed(std::size_t style, const StribeckCurve& curve, const std::vector<Value>& values) {
   Series line{style};
-  for (std::size_t k = 0; k < values.size(); ++k) line.add(curve.speed[k] * kRpm, values[k]);
+  for (const auto k : indices(values)) line.add(curve.speed[k] * kRpm, values[k]);
   return line;
 }
 
@@ -603,7 +605,7 @@ Figures heat_cycle(const Result& result) {
   Panel panel;
   const auto add = [&](Part part, std::string name, const std::vector<double>& values, double average) {
     Series line{figure.add(std::move(name), line_of(colour_of(part)))};
-    for (std::size_t k = 0; k < values.size(); ++k) line.add(cycle.time[k] * per_second, values[k]);
+    for (const auto k : indices(values)) line.add(cycle.time[k] * per_second, values[k]);
     panel.series.push_back(std::move(line));
     panel.references.push_back({figure.add(line_of(colour_of(part), Dash::dashed, Weight::thin)), average});
   };

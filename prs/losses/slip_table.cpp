@@ -1,5 +1,6 @@
 #include "prs/losses/slip_table.h"
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/slip/slip_warnings.h"
 #include "prs/text.h"
@@ -134,8 +135,8 @@ std::string range(const InterfaceSlip& slip, const RangeLine& line) {
   double least = HUGE_VAL, largest = -HUGE_VAL;
   const Quantity<InterfaceSlip>& q = quantity<InterfaceSlip>(line.key);
   const std::span<const double> values = q.value.series(slip);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (entry(slip.dynamic_normal_load, k).value_or(0.0) > 0.0)
+  for (const auto k : indices(values))
+    if (entry_if_any(slip.dynamic_normal_load, k).value_or(0.0) > 0.0)
       least = std::min(least, values[k]), largest = std::max(largest, values[k]);
   if (least > largest) return std::string(kAbsent);
   return range(fixed(least, q.unit.text, line.decimals), fixed(largest, q.unit.text, line.decimals));
@@ -289,7 +290,7 @@ constexpr CaseColumn kColumns[] = {
 std::vector<double> power_of_rollers(const InterfaceSlip& slip) {
   const auto row = static_cast<std::size_t>(slip.threads_per_roller);
   std::vector<double> sums(slip.power.size() / row, 0.0);
-  for (std::size_t k = 0; k < slip.power.size(); ++k) sums[k / row] += slip.power[k];
+  for (const auto k : indices(slip.power)) sums[k / row] += slip.power[k];
   return sums;
 }
 
@@ -374,11 +375,11 @@ std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
     if (!has_slip(load_case) || !load_case.threads) continue;
     for (const Interface i : kInterfaces) {
       const InterfaceSlip& slip = load_case.slip->threads[i];
-      for (std::size_t k = 0; k < slip.power.size(); ++k) {
+      for (const auto k : indices(slip.power)) {
         const auto row = static_cast<std::size_t>(slip.threads_per_roller);
         load_fields(csv, load_case.load_case);
         if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
-        csv.fields(name(i), row ? k % row + 1 : k + 1, entry((*load_case.threads)[i].axial_load, k));
+        csv.fields(name(i), row ? k % row + 1 : k + 1, entry_if_any((*load_case.threads)[i].axial_load, k));
         series_fields(csv, slip, k);
         csv.end_row();
       }
@@ -431,7 +432,7 @@ std::string heat_cycle_csv(const HeatCycle& cycle, const CsvStyle& style) {
   part_header<PartSeries>(csv, "temperature_degC");
   csv.end_row();
   const PartSeries temperature = celsius_of(cycle.temperature);
-  for (std::size_t k = 0; k < cycle.time.size(); ++k) {
+  for (const auto k : indices(cycle.time)) {
     csv.number(cycle.time[k]);
     series_fields(csv, temperature, k);
     csv.end_row();

@@ -1,5 +1,6 @@
 #include "prs/losses/solve_analysis.h"
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_criteria.h"
@@ -26,7 +27,7 @@ std::string motion_lines(const Result& result) {
       const std::size_t shown = std::min<std::size_t>(m->modes.size(), 6);
       text += fmt::format("\n{}: natural frequencies", name);
       if (shown < m->modes.size()) text += fmt::format(", {} of {}:", shown, m->modes.size());
-      for (std::size_t k = 0; k < shown; ++k) text += fmt::format("{} {:.5g}", k ? "," : "", m->modes[k].frequency);
+      for (const auto k : up_to(shown)) text += fmt::format("{} {:.5g}", k ? "," : "", m->modes[k].frequency);
       text += " Hz";
     }
   }
@@ -98,7 +99,7 @@ const Analysis<Result>& solve_analysis() {
       .headlines =
           [](const Result& r) {
             std::vector<Headline> all = overloads(r);
-            std::ranges::move(frequencies(r), std::back_inserter(all));
+            append(all, frequencies(r));
             return all;
           },
       .criteria = load_criteria,

@@ -7,6 +7,8 @@
 #include <functional>
 #include <iterator>
 
+#include "prs/model/quantity_text.h"
+
 namespace prs {
 namespace {
 
@@ -19,12 +21,12 @@ std::string number(double shown, int digits) {
 
 void put(std::string& text, std::string_view name, const std::string& number, const ShownUnit& unit) {
   if (const std::size_t at = text.find(name); at != text.npos)
-    text.replace(at, name.size(), unit.text.empty() ? number : fmt::format("{} {}", number, unit.text));
+    text.replace(at, name.size(), unit.text.empty() ? number : fmt::format("{{{} {}}}", number, unit.text));
 }
 
 }  // namespace
 
-std::string sentence(const Warning& w) {
+std::string marked_sentence(const Warning& w) {
   constexpr int kFewest = 3, kMost = 9;
   const auto shown = [&](const std::optional<double>& si, int digits) {
     return si ? number(*si * w.unit.factor, digits) : std::string();
@@ -38,6 +40,8 @@ std::string sentence(const Warning& w) {
   if (!w.path.empty()) text.insert(0, w.path + ": ");
   return w.fix.empty() ? text : text.append("; ").append(w.fix);
 }
+
+std::string sentence(const Warning& warning) { return with_quantities(marked_sentence(warning), std::identity()); }
 
 std::vector<Warning> selected(std::span<const Warning> warnings, bool assumptions) {
   std::vector<Warning> found;

@@ -2,6 +2,7 @@
 
 #include <ranges>
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/study/study_files.h"
 #include "prs/study/study_pictures.h"
@@ -141,7 +142,7 @@ constexpr Quantity<DesignAt> kChosenRows[] = {
     {"", always_table<kDesignRows>},
     as_shown<DesignAt>({"change_percent", always<[](auto& d) {
                           std::vector<std::optional<double>> changes;
-                          for (std::size_t k = 0; k < d.design->responses.size(); ++k)
+                          for (const auto k : indices(d.design->responses))
                             changes.push_back(change_percent(d.design->responses[k], d.result->initial.responses[k]));
                           return by_key(d.study().responses, changes);
                         }>,
@@ -183,7 +184,7 @@ constexpr Quantity<OptimizationResult> kComparisonRows[] = {
     {"best", always_table<kBestRows,
                           [](auto& r) {
                             std::vector<Best> all;
-                            for (std::size_t k = 0; k < r.comparison->best.size(); ++k) all.push_back({&r, k});
+                            for (const auto k : indices(r.comparison->best)) all.push_back({&r, k});
                             return all;
                           }>},
 };
@@ -244,7 +245,7 @@ std::vector<Row> variable_rows(const OptimizationResult& result, const Evaluated
 std::vector<Row> response_rows(const OptimizationResult& result, const EvaluatedDesign& chosen) {
   const Optimization& optimization = result.optimization;
   std::vector<Row> rows;
-  for (std::size_t k = 0; k < optimization.study.responses.size(); ++k) {
+  for (const auto k : indices(optimization.study.responses)) {
     const auto objective = std::ranges::find(optimization.objectives, k, &Objective::response);
     const bool wanted = objective != optimization.objectives.end();
     const char* aim = !wanted ? "" : objective->maximize ? "max. " : "min. ";
@@ -324,7 +325,7 @@ std::string comparison(const OptimizationResult& result) {
   const FrontComparison& c = *result.comparison;
   if (c.best.empty()) return text + '\n' + from_check(result);
   text += fmt::format("; hypervolume {:.4f} against {:.4f}\n", c.check_hypervolume, c.hypervolume);
-  for (std::size_t k = 0; k < c.best.size(); ++k) {
+  for (const auto k : indices(c.best)) {
     const Objective& objective = result.optimization.objectives[k];
     const TableResponse response = table_response(result.optimization.study.responses[objective.response]);
     text +=

@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/optimize/optimize_files.h"
 
 #include "prs/record/table_units.h"
@@ -31,7 +32,7 @@ Range about(Range inner, Range all, double spans) {
 Range history_range(const OptimizationResult& result, std::size_t response) {
   Range inner, all;
   inner.include(result.initial.responses[response]);
-  for (std::size_t k = 0; k < result.design_count(); ++k) {
+  for (const auto k : up_to(result.design_count())) {
     const EvaluatedDesign& design = result.design(k);
     (design.is_feasible() ? inner : all).include(design.responses[response]);
   }
@@ -71,7 +72,7 @@ Panel history_panel(const OptimizationResult& result, const Objective& objective
   Series infeasible{kInfeasible, {{}}}, feasible{kFeasible, {{}}}, best{kBest, {{}}};
   std::optional<double> so_far;
   const std::size_t step = designs / kMostPoints + 1;
-  for (std::size_t k = 0; k < designs; ++k) {
+  for (const auto k : up_to(designs)) {
     const double value = result.design(k).responses[objective.response];
     const auto at = static_cast<double>(k + 1);
     const bool counts = result.design(k).is_feasible();
@@ -152,7 +153,7 @@ std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel pane
 
 /// Each objective over the designs in their order, those of a check after those of the search,
 /// feasible and infeasible, the best so far and the chosen one (as Yao et al. 2023, fig. 12).
-Figures optimization_history(const OptimizationResult& result) {
+Figure optimization_history(const OptimizationResult& result) {
   const Optimization& optimization = result.optimization;
   const std::string then = result.check ? fmt::format(", then of {},", name(result.check->algorithm)) : "";
   Figure figure{"history", fmt::format("Designs of {}{} in their order", name(optimization.algorithm), then)};
@@ -165,12 +166,12 @@ Figures optimization_history(const OptimizationResult& result) {
   for (const Objective& objective : optimization.objectives)
     if (figure.panels.size() < kMostPanels) figure.panels.push_back(history_panel(result, objective));
   figure.aspect = 0.3;
-  return {std::move(figure)};
+  return figure;
 }
 
 /// The designs and the fronts of both searches, a panel for each pair of objectives, with the
 /// file's own design and the compromise.
-Figures pareto_front(const OptimizationResult& result) {
+Figure pareto_front(const OptimizationResult& result) {
   const std::vector<Objective>& objectives = result.optimization.objectives;
   if (objectives.size() < 2) return {};
   Figure figure{"front", "Pareto front"};
@@ -185,7 +186,7 @@ Figures pareto_front(const OptimizationResult& result) {
   figure.add(fmt::format("front of {}", name(result.search.algorithm)), points_of(Colour::blue, Mark::circle));
   figure.add("as in the file", kInitialStyle);
   figure.add(result.compromise ? "compromise" : "nearest to the limits", kChosenStyle);
-  for (std::size_t i = 0; i < objectives.size(); ++i)
+  for (const auto i : indices(objectives))
     for (std::size_t j = i + 1; j < objectives.size(); ++j)
       if (figure.panels.size() < kMostPanels) {
         const std::size_t x = objectives[i].response, y = objectives[j].response;
@@ -193,11 +194,11 @@ Figures pareto_front(const OptimizationResult& result) {
         if (auto large = enlarged_front(result, figure.panels.back(), x, y)) figure.panels.push_back(std::move(*large));
       }
   figure.columns = std::min<std::size_t>(figure.panels.size(), 2);
-  return {std::move(figure)};
+  return figure;
 }
 
-Figures optimization_history(const OptimizationResult& result);
-Figures pareto_front(const OptimizationResult& result);
+Figure optimization_history(const OptimizationResult& result);
+Figure pareto_front(const OptimizationResult& result);
 
 Pictures optimization_pictures(const OptimizationResult& r) {
   return {{"history", "designs", of_result(r, optimization_history)},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -46,7 +48,7 @@ class Answers {
     RowBlock block = evaluate_(rest);
     block.first = asked_;
     journal_.append(encode(block));
-    for (std::size_t k = 0; k < rest.size(); ++k) answered.push_back(row(block, k, rest[k]));
+    for (const auto k : indices(rest)) answered.push_back(row(block, k, rest[k]));
     asked_ += rest.size();
     if (options_.progress) options_.progress({asked_, found_, total_});
   }
@@ -72,7 +74,7 @@ class Answers {
 
 std::vector<Draw> draws_at(const Optimization& optimization, const std::vector<double>& x) {
   std::vector<Draw> draws;
-  for (std::size_t i = 0; i < x.size(); ++i) draws.push_back(draw_at(optimization.study.factors[i], x[i]));
+  for (const auto i : indices(x)) draws.push_back(draw_at(optimization.study.factors[i], x[i]));
   return draws;
 }
 
@@ -85,7 +87,7 @@ std::optional<double> place_of_base(const Factor& variable) {
     if (!number || *number < from || *number > to) return std::nullopt;
     return (*number - from) / (to - from);
   }
-  for (std::size_t k = 0; k < variable.levels.size(); ++k) {
+  for (const auto k : indices(variable.levels)) {
     const Level& level = variable.levels[k];
     if (level.text == variable.base->text || (level.number && level.number == number))
       return (static_cast<double>(k) + 0.5) / static_cast<double>(variable.levels.size());
@@ -97,8 +99,8 @@ std::optional<double> place_of_base(const Factor& variable) {
 Points first_population(const Optimization& optimization, std::uint64_t seed) {
   const std::vector<Factor>& variables = optimization.study.factors;
   Points points(optimization.population, std::vector<double>(variables.size()));
-  for (std::size_t k = 0; k < points.size(); ++k)
-    for (std::size_t i = 0; i < variables.size(); ++i) points[k][i] = latin_hypercube_number(seed, i, k, points.size());
+  for (const auto k : indices(points))
+    for (const auto i : indices(variables)) points[k][i] = latin_hypercube_number(seed, i, k, points.size());
   std::vector<double> base;
   for (const Factor& variable : variables)
     if (const std::optional<double> x = place_of_base(variable)) base.push_back(*x);
@@ -110,7 +112,7 @@ Points first_population(const Optimization& optimization, std::uint64_t seed) {
 std::vector<std::size_t> front_of(const Optimization& optimization, const std::vector<EvaluatedDesign>& designs) {
   std::vector<std::size_t> feasible;
   Points points;
-  for (std::size_t k = 0; k < designs.size(); ++k) {
+  for (const auto k : indices(designs)) {
     if (!designs[k].is_feasible()) continue;
     feasible.push_back(k);
     points.push_back(costs(optimization, designs[k]));
@@ -145,7 +147,7 @@ Search search(const Optimization& optimization, Algorithm algorithm, std::uint64
 std::optional<std::size_t> nearest(const OptimizationResult& result) {
   std::optional<std::size_t> nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < result.design_count(); ++k)
+  for (const auto k : up_to(result.design_count()))
     if (result.design(k).violation < least) {
       least = result.design(k).violation;
       nearest = k;
@@ -342,7 +344,7 @@ struct Extent {
     for (double& x : to) x = -x;
   }
   void include(const std::vector<double>& point) {
-    for (std::size_t k = 0; k < point.size(); ++k) {
+    for (const auto k : indices(point)) {
       from[k] = std::min(from[k], point[k]);
       to[k] = std::max(to[k], point[k]);
     }
@@ -350,8 +352,7 @@ struct Extent {
   /// Coordinates scaled to 0 to 1 over the extent.
   std::vector<double> scaled(const std::vector<double>& point) const {
     std::vector<double> u;
-    for (std::size_t k = 0; k < point.size(); ++k)
-      u.push_back(to[k] > from[k] ? (point[k] - from[k]) / (to[k] - from[k]) : 0.0);
+    for (const auto k : indices(point)) u.push_back(to[k] > from[k] ? (point[k] - from[k]) / (to[k] - from[k]) : 0.0);
     return u;
   }
 };
@@ -379,7 +380,7 @@ double merit(const Compromise& compromise, const std::vector<double>& u) {
 
 std::vector<double> best_values(const Optimization& optimization, const Points& points) {
   std::vector<double> best;
-  for (std::size_t k = 0; k < optimization.objectives.size(); ++k) {
+  for (const auto k : indices(optimization.objectives)) {
     double least = std::numeric_limits<double>::infinity();
     for (const std::vector<double>& point : points) least = std::min(least, point[k]);
     best.push_back(optimization.objectives[k].maximize ? -least : least);
@@ -420,7 +421,7 @@ std::vector<double> Fitness::operator()(const EvaluatedDesign& design) const {
     return std::vector<double>(count, kInfeasible + 1e3 * share);
   }
   std::vector<double> values = costs(optimization_, design);
-  for (std::size_t k = 0; k < count; ++k) values[k] = compressed(values[k] / scales_[k]);
+  for (const auto k : up_to(count)) values[k] = compressed(values[k] / scales_[k]);
   return values;
 }
 
@@ -468,7 +469,7 @@ std::optional<std::size_t> compromise_of(const OptimizationResult& result) {
   for (const std::vector<double>& point : points) extent.include(point);
   std::optional<std::size_t> chosen;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (const auto k : indices(points)) {
     const double value = merit(optimization.compromise, extent.scaled(points[k]));
     if (value >= least) continue;
     least = value;

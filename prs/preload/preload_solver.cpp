@@ -2,6 +2,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "prs/indices.h"
 #include "prs/sector/roller_guides.h"
 
 namespace prs {
@@ -180,7 +181,7 @@ void add_expansion(PreloadSector& s, const PreloadParts& p) {
       // The second nut follows the first one.
       const double first =
           !shared && side == Direction::tension ? 2.0 * middle + *p.preload.distance - middle : -middle;
-      for (std::size_t k = 0; k < s.sides[side].springs[i].size(); ++k)
+      for (const auto k : indices(s.sides[side].springs[i]))
         spring_of(s, s.sides[side].springs[i][k]).law.gap +=
             -sense(side) * std::cos(psi) * stretch * (first + static_cast<double>(k) * pitch) - std::sin(psi) * closing;
       if (shared && side == Direction::tension) s.expansion += closing;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -146,7 +148,7 @@ std::optional<std::size_t> add_behind(Figure& figure, const Figure& before) {
   if (figure.to_scale || figure.panels.size() != before.panels.size()) return std::nullopt;
   const Style grey = line_of(Colour::muted, Dash::solid, Weight::strong);
   const std::size_t line = figure.add(grey), points = figure.add(points_of(Colour::muted, Mark::circle));
-  for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+  for (const auto k : indices(figure.panels)) {
     Panel& panel = figure.panels[k];
     std::vector<Series> behind;
     for (const Series& series : before.panels[k].series) {

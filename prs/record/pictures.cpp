@@ -9,6 +9,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "prs/indices.h"
 #include "prs/record/schema_parts.h"
 #include "prs/text.h"
 
@@ -205,9 +206,9 @@ void put_grid(Json& json, const GridData& grid) {
   json["x"] = grid.x;
   json["y"] = grid.y;
   Json& rows = json["values"] = Json::array();
-  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+  for (const auto i : indices(grid.x)) {
     Json& row = rows.emplace_back(Json::array());
-    for (std::size_t j = 0; j < grid.y.size(); ++j) row.push_back(grid.at(i, j));
+    for (const auto j : indices(grid.y)) row.push_back(grid.at(i, j));
   }
 }
 
@@ -511,7 +512,7 @@ bool are_alike(const Figure& figure, std::size_t a, std::size_t b) {
     Range range = range_of_y(panel.series);
     if (const Axis& y = panel.y ? *panel.y : figure.y; std::isfinite(y.from + y.to))
       range = {std::min(y.from, y.to), std::max(y.from, y.to)};
-    for (std::size_t k = 0; k < left.size(); ++k)
+    for (const auto k : indices(left))
       if (left[k][0] != right[k][0] || !(std::abs(left[k][1] - right[k][1]) <= kSeen * (range.to - range.from)))
         return false;
   }
@@ -562,7 +563,7 @@ Figure with_true_legend(Figure figure) {
     return style.shape == Shape::line && style.dash != Dash::none;
   };
   const std::vector<LegendEntry> plain = figure.legend;
-  for (std::size_t k = 0; k < plain.size(); ++k)
+  for (const auto k : indices(plain))
     for (std::size_t above = k + 1; above < plain.size() && is_line(plain[k]); ++above)
       if (is_line(plain[above]) && are_alike(figure, plain[k].style, plain[above].style)) {
         figure.legend[k].title += fmt::format(", under {}", plain[above].title);
@@ -612,7 +613,7 @@ double rank_position(std::size_t k, std::size_t count) { return static_cast<doub
 
 Axis ranked_axis(const std::vector<std::string>& names) {
   Axis axis{"", "", 0.5, static_cast<double>(names.size()) + 0.5};
-  for (std::size_t k = 0; k < names.size(); ++k) axis.ticks.push_back({rank_position(k, names.size()), names[k]});
+  for (const auto k : indices(names)) axis.ticks.push_back({rank_position(k, names.size()), names[k]});
   return axis;
 }
 

@@ -44,14 +44,18 @@ using Pictures = std::vector<Picture>;
 /// Figures in the units of tables, kN from 1000 N on and GPa, without legend entries for what their axes do not reach.
 Figures in_shown_units(Figures figures);
 
-/// A picture that a function makes from the result, which must outlive it.
-template <class R>
-auto of_result(const R& result, Figures (*make)(const R&, const FigureOptions&)) {
-  return [&result, make](const FigureOptions& options) { return in_shown_units(make(result, options)); };
+/// List of a figure; one without panels is none.
+inline Figures listed(const Figure& figure) { return Figures(figure.panels.empty() ? 0 : 1, figure); }
+inline Figures listed(Figures figures) { return figures; }
+
+/// A picture that a function makes, one figure or several, from the result, which must outlive it.
+template <class R, class Made>
+auto of_result(const R& result, Made (*make)(const R&, const FigureOptions&)) {
+  return [&result, make](const FigureOptions& options) { return in_shown_units(listed(make(result, options))); };
 }
-template <class R>
-auto of_result(const R& result, Figures (*make)(const R&)) {
-  return [&result, make](const FigureOptions&) { return in_shown_units(make(result)); };
+template <class R, class Made>
+auto of_result(const R& result, Made (*make)(const R&)) {
+  return [&result, make](const FigureOptions&) { return in_shown_units(listed(make(result))); };
 }
 
 /// Own pictures, and those of another analysis, which are drawn by name only.

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "prs/indices.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
@@ -54,7 +55,7 @@ Extreme extreme_of(std::span<const double> v, F f) {
   double zero[4] = {};
   std::size_t k = 0;
   for (; k + 4 <= v.size(); k += 4)
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (const auto j : up_to(4)) {
       const double x = f(v[k + j]);
       of[j] = x > of[j] ? x : of[j];
       zero[j] += 0.0 * x;

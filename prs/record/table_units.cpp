@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <regex>
 
+#include "prs/indices.h"
 #include "prs/input/units.h"
+#include "prs/model/quantity_text.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -67,44 +68,6 @@ int decimals_in(const ShownUnit& shown, const ShownUnit& unit, int decimals) {
   return std::max(0, decimals + more);
 }
 
-constexpr const char* kNumber = R"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)";
-
-/// Pattern of a number, or a range of two, before a unit that is replaced.
-std::regex quantity_in_sentence() {
-  std::string units = "um";
-  for (const ShownUnit& unit : kShownUnits) {
-    if (unit.us_text.empty()) continue;
-    units += '|';
-    for (const char c : unit.text) {
-      if (std::string_view("^$.*+?()[]{}|/\\").find(c) != std::string_view::npos) units += '\\';
-      units += c;
-    }
-  }
-  return std::regex(
-      fmt::format(R"((^|[ (]|−)({0})(?:( to | and | or | x | × )({0}))? ({1})(?![\w/^(²³]))", kNumber, units));
-}
-
-/// The converted number, with as many digits as before, at least three.
-std::string converted_number(const std::string& number, double factor) {
-  int digits = 0;
-  for (const char c : number.substr(0, number.find('e')))
-    if ((c > '0' && c <= '9') || (c == '0' && digits > 0)) ++digits;
-  return significant(factor * input::parse_number(number).value_or(0.0), std::max(3, digits));
-}
-
-std::string converted(std::string text, const std::regex& quantity) {
-  std::string all;
-  for (std::smatch found; std::regex_search(text, found, quantity); text = found.suffix()) {
-    const ShownUnit& documents = unit_written(found[5].str());
-    const ShownUnit tables = table_unit(documents);
-    const double factor = tables.factor / documents.factor;
-    all += found.prefix().str() + found[1].str() + converted_number(found[2], factor);
-    if (found[4].matched) all += found[3].str() + converted_number(found[4], factor);
-    all += fmt::format(" {}", tables.text);
-  }
-  return all + text;
-}
-
 }  // namespace
 
 TableUnits::TableUnits(UnitSystem system) : before_(system_of_tables) { system_of_tables = system; }
@@ -129,22 +92,25 @@ std::string with_table_unit(std::string_view label) {
 
 UnitSystem table_system() { return system_of_tables; }
 
-std::string in_table_units(const std::string& sentence) {
-  if (system_of_tables == UnitSystem::si) return sentence;
-  static const std::regex quantity = quantity_in_sentence();
-  std::string text;
-  bool is_typed = false;
-  for (std::size_t begin = 0; begin <= sentence.size(); is_typed = !is_typed) {
-    const std::size_t end = std::min(sentence.find('`', begin), sentence.size());
-    const std::string part = sentence.substr(begin, end - begin);
-    if (is_typed)
-      text += '`' + part + (end < sentence.size() ? "`" : "");
-    else
-      text += converted(part, quantity);
-    begin = end + 1;
-  }
-  return text;
+std::string table_number(std::string_view number, std::string_view unit) {
+  constexpr std::string_view kMinus = "−";
+  if (number.starts_with(kMinus)) return std::string(kMinus) + table_number(number.substr(kMinus.size()), unit);
+  const double factor = table_factor(unit);
+  const std::string_view all = number.substr(0, number.find('e'));
+  const std::size_t first = std::min(all.find_first_of("123456789"), all.size());
+  const auto digits = std::ranges::count_if(all.substr(first), [](char c) { return c != '.'; });
+  return factor == 1.0
+             ? std::string(number)
+             : significant(factor * input::parse_number(number).value_or(0.0), std::max(3, static_cast<int>(digits)));
 }
+
+std::string in_table_unit(std::string_view quantity) {
+  const std::size_t blank = quantity.find(' ');
+  const std::string_view unit = quantity.substr(blank + 1);
+  return fmt::format("{} {}", table_number(quantity.substr(0, blank), unit), table_unit(unit).text);
+}
+
+std::string table_sentence(const Warning& warning) { return with_quantities(marked_sentence(warning), in_table_unit); }
 
 double shown(double si, std::string_view unit) { return si * table_unit(unit).factor; }
 
@@ -273,7 +239,7 @@ std::string bar_chart(const PerInterface<std::vector<double>>& values, int decim
     return fmt::format("{} {:.{}f} {}", bar(value, largest), value, decimals, unit);
   };
   std::string chart = fmt::format("     {}  nut\n", padded("screw", kBarColumn, true));
-  for (std::size_t k = 0; k < values.screw.size(); ++k)
+  for (const auto k : indices(values.screw))
     chart += fmt::format("{:3}  {}  {}\n", k + 1, padded(bar_and_value(values.screw[k]), kBarColumn, true),
                          bar_and_value(values.nut[k]));
   return chart;

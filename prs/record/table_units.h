@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/model/part.h"
+#include "prs/model/warning.h"
 #include "prs/record/record.h"
 
 namespace prs {
@@ -42,9 +43,13 @@ std::string with_table_unit(std::string_view label);
 /// Unit system of the tables being made.
 UnitSystem table_system();
 
-/// Sentence with its quantities converted from document units (`2.9 GPa`, `0.2 to 0.5 mm`) to table units, with as many
-/// digits, at least three. Text in backticks, which a user would type, stays.
-std::string in_table_units(const std::string& sentence);
+/// A number that is written in a document unit, in the table unit with as many digits, at least three.
+std::string table_number(std::string_view number, std::string_view unit);
+/// A quantity `12.5 kN` in the table unit, likewise.
+std::string in_table_unit(std::string_view quantity);
+
+/// Sentence of a warning with its quantities in table units.
+std::string table_sentence(const Warning& warning);
 
 /// An SI number as tables show it if documents show it in this unit: `kN`.
 double shown(double si, std::string_view unit);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "prs/indices.h"
+
 namespace prs {
 
 std::optional<CurveDeviations> curve_deviations(std::span<const double> computed, std::span<const double> reference) {
@@ -10,7 +12,7 @@ std::optional<CurveDeviations> curve_deviations(std::span<const double> computed
   const double share = 1.0 / static_cast<double>(computed.size());
   constexpr double kRounding = 1e-13;  // Rounding of values such as shares with the same sum on both sides.
   double squares = 0.0, magnitude = 0.0;
-  for (std::size_t k = 0; k < computed.size(); ++k) {
+  for (const auto k : indices(computed)) {
     const double difference = computed[k] - reference[k];
     if (!std::isfinite(difference)) return std::nullopt;
     d.mean += share * difference;
@@ -29,11 +31,11 @@ std::optional<CurveDeviations> curve_deviations(std::span<const double> computed
 std::optional<double> slope(std::span<const double> x, std::span<const double> y) {
   const auto count = static_cast<double>(x.size());
   double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  for (const auto k : indices(x)) {
     mean_x += x[k] / count;
     mean_y += y[k] / count;
   }
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  for (const auto k : indices(x)) {
     xx += (x[k] - mean_x) * (x[k] - mean_x);
     xy += (x[k] - mean_x) * (y[k] - mean_y);
   }

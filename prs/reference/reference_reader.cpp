@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "prs/indices.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
@@ -20,9 +21,7 @@ constexpr std::size_t kMostRows = 100'000;
 constexpr std::size_t kMostComputed = 1'000;  ///< Largest number of rows that each need a case of their own.
 constexpr std::string_view kThread = "thread", kForce = "axial_force", kLoadCase = "load_case";
 
-bool contains(const std::vector<std::string>& words, std::string_view word) {
-  return std::ranges::find(words, word) != words.end();
-}
+bool contains(const std::vector<std::string>& words, std::string_view word) { return contains(words, word); }
 
 /// Responses of an analysis at a place of its document.
 struct Responses {
@@ -108,10 +107,10 @@ class ReferenceReader {
 
   std::vector<ReferenceCurve> read() {
     std::vector<ReferenceCurve> all;
-    for (std::size_t k = 0; k < items_.size(); ++k) {
+    for (const auto k : indices(items_)) {
       at_ = fmt::format("references[{}]", k);
       item_ = &items_[k];
-      std::ranges::move(of_file(), std::back_inserter(all));
+      append(all, of_file());
     }
     return all;
   }
@@ -158,7 +157,7 @@ class ReferenceReader {
       const auto at = std::ranges::find(names, name);
       return at == names.end() ? npos : static_cast<std::size_t>(at - names.begin());
     };
-    for (std::size_t k = 0; k < names.size(); ++k)
+    for (const auto k : indices(names))
       if (std::ranges::count(names, names[k]) > 1)
         table.refuse_name(k, "which stands twice; expected it once; rename one");
     load_case_ = found(kLoadCase);
@@ -175,7 +174,7 @@ class ReferenceReader {
            "got it without `response`; expected the response that is measured; add for example "
            "`response: screw.load_rate_percent`");
     else
-      for (std::size_t k = 0; k < names.size(); ++k)
+      for (const auto k : indices(names))
         if (k != along_ && k != load_case_) columns_.push_back(named_column(table, k));
     if (columns_.empty()) table.refuse_file("which has no column with the name of a response");
     check_load(table);
@@ -389,12 +388,12 @@ class ReferenceReader {
 
   void finish(ReferenceCurve& reference) const {
     std::vector<std::size_t> order(reference.readings.size());
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    for (const auto k : indices(order)) order[k] = k;
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return reference.readings[k].along; });
     const auto sorted = [&](auto& items) {
       if (items.empty()) return;
       auto from = items;
-      for (std::size_t k = 0; k < order.size(); ++k) items[k] = from[order[k]];
+      for (const auto k : indices(order)) items[k] = from[order[k]];
     };
     sorted(reference.readings), sorted(reference.cases);
     if (item_->tolerance) reference.tolerance = spread(*item_->tolerance, "tolerance", reference);

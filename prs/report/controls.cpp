@@ -1,5 +1,6 @@
 #include <charconv>
 
+#include "prs/indices.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/model/check_case.h"
 #include "prs/report/findings.h"
@@ -273,7 +274,7 @@ std::string controls_html(const Findings& all) {
         if (any_item(path) != wanted || !number_and_unit(value)) continue;
         if (field.is_default && control.kind != Span::about) continue;
         if (number_and_unit(value)->number == 0.0 && control.kind != Span::about) continue;
-        if (std::ranges::find(all.void_paths, path) != all.void_paths.end()) continue;
+        if (contains(all.void_paths, path)) continue;
         auto same = std::ranges::find(own, value, &Slider::value);
         if (same == own.end()) {
           const auto written = std::ranges::find(of_file, path, &std::pair<std::string, std::string>::first);
@@ -289,11 +290,11 @@ std::string controls_html(const Findings& all) {
     if (own.size() == 1 && (own.front().cases.size() >= cases || !wanted.starts_with("load_cases")))
       own.front().cases.clear();  // All load cases have the same.
     if (own.size() > kMostAlike) own.resize(kMostAlike);
-    std::ranges::move(own, std::back_inserter(sliders));
+    append(sliders, own);
   }
   std::string text;
   const char* group = nullptr;
-  for (std::size_t k = 0; k < sliders.size(); ++k) {
+  for (const auto k : indices(sliders)) {
     const Slider& slider = sliders[k];
     if (slider.control->group != group)
       text += fmt::format("{}<fieldset><legend>{}</legend>\n", group ? "</fieldset>\n" : "", slider.control->group);
@@ -408,9 +409,9 @@ constexpr std::string_view kThread = "thread";
 
 bool is_wanted(const LiveQuestion& q, const SectionRow& row) {
   constexpr std::string_view kOfReport[] = {"studies", "provenance"};
-  if (std::ranges::find(kOfReport, row.id) != std::end(kOfReport)) return false;
+  if (contains(kOfReport, row.id)) return false;
   if (q.quick && !row.is_quick) return false;
-  return q.sections.empty() || std::ranges::find(q.sections, row.id) != q.sections.end();
+  return q.sections.empty() || contains(q.sections, row.id);
 }
 
 /// The report that a page started from, and data for its questions, kept between them.

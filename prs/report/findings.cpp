@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "modules/module.h"
+#include "prs/indices.h"
 #include "prs/model/check_case.h"
 #include "prs/output/files.h"
 #include "prs/report/tables.h"
@@ -21,7 +22,7 @@ std::vector<Warning> warnings_of(const Findings& all) {
     if (answer.command == Command::compare &&
         all.answer(Command::solve))  // The page shows the loads of the case's model.
       std::erase_if(its, [](const Warning& warning) { return !warning.code.starts_with("reference_"); });
-    std::ranges::move(its, std::back_inserter(warnings));
+    append(warnings, its);
   }
   return warnings;
 }
@@ -247,7 +248,7 @@ std::string figure_html(Findings& all, Figure figure, bool narrow) {
   return fmt::format(
       "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
       "tabindex=\"0\">{}</div></figure>\n",
-      html(figure.name), narrow ? " class=\"narrow\"" : "", html(in_table_units(figure.title)),
+      html(figure.name), narrow ? " class=\"narrow\"" : "", html(figure.title),
       svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
 }
 
@@ -295,7 +296,7 @@ std::string warning_list(const Findings& all, bool assumptions) {
   if (groups.empty()) return {};
   std::string text = "<ul class=\"warnings\">\n";
   for (const WarningGroup& warning : groups)
-    text += fmt::format("<li>{}{}</li>\n", html(in_table_units(warning.text())),
+    text += fmt::format("<li>{}{}</li>\n", html(warning.text()),
                         warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
   return text + "</ul>\n";
 }

@@ -5,6 +5,7 @@
 #include "prs/bodies/body_models.h"
 #include "prs/compare/compare_analysis.h"
 #include "prs/compare/reference_analysis.h"
+#include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
 #include "prs/report/findings.h"
@@ -85,14 +86,12 @@ std::string each_case_html(Findings& all, const CommandAnswer& answer, std::stri
   if (picture == answer.pictures.end()) return {};
   const std::size_t count = under(answer.document, "load_cases").size();
   std::string text;
-  for (std::size_t k = 0; k < std::min(kMost, count); ++k)
+  for (const auto k : up_to(std::min(kMost, count)))
     for (const Figure& figure : picture->make({.load_case = k})) text += figure_html(all, figure, narrow);
   return text;
 }
 
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
-}
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) { return contains(names, name); }
 bool is_of_stiffness(std::string_view name) { return is_one_of(name, {"stiffness", "displacement"}); }
 bool is_of_pressure(std::string_view name) { return is_one_of(name, {"peak_pressure", "ellipses"}); }
 bool is_of_solution(std::string_view name) { return name == "convergence"; }
@@ -185,7 +184,7 @@ std::string comparison_html(const ModelComparison& comparison) {
   const std::size_t count = comparison.load_cases();
   const std::size_t stride = count > kMost ? (count + kMost - 1) / kMost : 1;
   for (std::size_t k = 0; k < count; k += stride)
-    for (std::size_t model = 0; model < comparison.models.size(); ++model) {
+    for (const auto model : indices(comparison.models)) {
       const ComparedModel m{&comparison, k, model};
       const LoadCaseResult& r = m.result();
       const auto number = [&](std::string_view key) {
@@ -301,9 +300,7 @@ std::string answer_html(Findings& all, Command command) {
   const CommandAnswer* answer = all.answer(command);
   if (!answer) return {};
   const PageSection section = answer->delivery.section ? answer->delivery.section() : PageSection{};
-  const auto is_folded = [&](std::string_view name) {
-    return std::ranges::find(section.folded, name) != section.folded.end();
-  };
+  const auto is_folded = [&](std::string_view name) { return contains(section.folded, name); };
   std::string text = section.note.empty() ? "" : fmt::format("<p>{}</p>\n", html(section.note));
   text += pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
   const std::vector<RecordColumn> cases = case_columns(answer->document);
@@ -553,7 +550,7 @@ std::string files_html(Findings& all) {
       if (file.name.ends_with(".csv")) add(file);
   if (files.empty()) return {};
   std::vector<std::size_t> order(files.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  for (const auto k : indices(order)) order[k] = k;
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return files[k].content.size(); });
   std::size_t room = all.options.room.files;
   std::set<std::size_t> carried;
@@ -563,7 +560,7 @@ std::string files_html(Findings& all) {
       carried.insert(k);
     }
   std::string links, absent;
-  for (std::size_t k = 0; k < files.size(); ++k)
+  for (const auto k : indices(files))
     if (carried.contains(k))
       links += fmt::format("<li>{}</li>\n", download_link(files[k].name, "text/csv", files[k].content));
     else
@@ -633,7 +630,7 @@ std::span<const SectionRow> section_rows() {
         {"loads", "Load distribution", loads_html, true}, {"pressures", "Pressures", pressures_html, true},
         {"stiffness", "Stiffness", stiffness_html, true},
     };
-    std::ranges::move(analysis_rows(), std::back_inserter(rows));
+    append(rows, analysis_rows());
     std::ranges::move(std::vector<SectionRow>{{"references", "References", references_html},
                                               {"models", "The models side by side", models_html},
                                               {"contacts", "Contacts", contact_html},
@@ -668,7 +665,7 @@ ReportParts report_parts(const input::Source& source, const ReportOptions& optio
   parts.data = data_of(all, head, {});
   parts.shown = data_of(all, head, options.room.data);
   parts.notes = all.notes;
-  std::ranges::move(unconverged(all), std::back_inserter(parts.notes));
+  append(parts.notes, unconverged(all));
   parts.converged = all.converged;
   return parts;
 }

@@ -1,4 +1,5 @@
 
+#include "prs/indices.h"
 #include "prs/report/report.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"
@@ -20,7 +21,7 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
     const Quantity<Item>& q = quantity<Item>(key);
     const ReportUnit unit = report_unit(key, q.unit.text);
     head.push_back(html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", " + unit.text)));
-    for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const auto k : indices(rows)) {
       Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);
       rows[k].push_back(cell.empty()      ? "–"

@@ -1,5 +1,6 @@
 #include "prs/report/tables.h"
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/pictures.h"
 #include "prs/report/report.h"
@@ -91,9 +92,7 @@ void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn
       const bool is_record = q.kind == Kind::record;
       const std::string_view own_unit = q.unit.empty() && !is_ratio(q.key) ? unit : q.unit;
       if ((is_record && own_unit.empty()) != nested) continue;
-      const auto is_in = [&](const std::vector<std::string>& keys) {
-        return std::ranges::find(keys, q.key) != keys.end();
-      };
+      const auto is_in = [&](const std::vector<std::string>& keys) { return contains(keys, q.key); };
       if (is_in(choice.without) || is_in(choice.hidden) || (!choice.only.empty() && !is_in(choice.only))) continue;
       const bool about_solution = q.delivery == Reach::document;
       if (about_solution != (choice.reach == Reach::document) && !is_record) continue;
@@ -302,16 +301,13 @@ std::string colour_bar(const ColourScale& scale) {
                      html(text_of({scale.label, scale.unit})), colour_bar_svg(scale, {40, kHalfWidth - 40, 8, 22}));
 }
 
-/// Axes, colours and texts in the units of tables.
+/// Axes and colours in the units of tables.
 Figure with_table_units(Figure figure) {
   std::set<std::string> units = {figure.x.unit, figure.y.unit};
   if (figure.colours) units.insert(figure.colours->unit);
-  figure.title = in_table_units(figure.title);
   for (Panel& panel : figure.panels) {
     for (const std::optional<Axis>& axis : {panel.x, panel.y})
       if (axis) units.insert(axis->unit);
-    panel.title = in_table_units(panel.title);
-    for (Label& label : panel.labels) label.text = in_table_units(label.text);
   }
   for (const std::string& unit : units)
     figure = in_unit(std::move(figure), {unit, with_table_unit(unit), table_factor(unit)});
@@ -324,7 +320,7 @@ std::string svg(const Figure& drawn, const std::string& id) {
   const Figure figure =
       with_ranges(with_true_legend(table_system() == UnitSystem::us ? with_table_units(drawn) : drawn));
   std::string all = "<div class=\"panels\">";
-  for (std::size_t k = 0; k < figure.panels.size(); ++k) all += image(figure, k, id);
+  for (const auto k : indices(figure.panels)) all += image(figure, k, id);
   all += "</div>";
   if (figure.colours) all += colour_bar(*figure.colours);
   return all + legend_html(figure);
@@ -335,7 +331,7 @@ std::string svg_style() {
   // On dark paper black and blue must be lighter.
   constexpr std::string_view kOnDark[] = {"#56b4e9", "#ff8a3c", "#2fc79b", "#e6a3cb", "#f0b73c", "#9bd4f5",
                                           "#e8e8e6", "#a5a5a5", "#b5b5b5", "#6b6b6b", "#ff6b4a"};
-  for (std::size_t k = 0; k < std::size(kColours); ++k) {
+  for (const auto k : up_to(std::size(kColours))) {
     light += fmt::format("--c{}:{};", k, kColours[k]);
     dark += fmt::format("--c{}:{};", k, kOnDark[k]);
   }

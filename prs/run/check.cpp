@@ -5,6 +5,7 @@
 #include "modules/fit/fit.h"
 #include "modules/module.h"
 #include "prs/heat/analyze_heat.h"
+#include "prs/indices.h"
 #include "prs/input/study_reader.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
@@ -233,7 +234,7 @@ bool has_life(const input::CaseInput& in) {
 /// Warnings of `solve` about the largest loads, and of `life` about those of its block.
 std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in, double largest) {
   std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
-  if (has_life(in)) std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
+  if (has_life(in)) append(warnings, life_of(source, in).warnings);
   return warnings;
 }
 
@@ -271,7 +272,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
     if (left > 0.0 && left < whole) life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
   }
   return Warning{"deviations.pitch_error", "perfect_parts",
-                 fmt::format("parts are perfect: one start of the screw out of position by {:g} um "
+                 fmt::format("parts are perfect: one start of the screw out of position by {{{:g} um}} "
                              "raises the largest load of a thread by {{value}}{}",
                              1e6 * kOff, life),
                  "state the errors of your grade"}
@@ -306,8 +307,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   } catch (const input::InputError&) {
   }
   for (Warning& warning : warnings)
-    if (std::ranges::find(geometry.warnings, warning) == geometry.warnings.end())
-      geometry.warnings.push_back(std::move(warning));
+    if (!contains(geometry.warnings, warning)) geometry.warnings.push_back(std::move(warning));
 }
 
 /// Reads and checks the study, the optimization and the fit of the source too.

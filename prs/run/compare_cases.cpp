@@ -1,5 +1,6 @@
 #include "prs/run/compare_cases.h"
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/run/commands.h"
 #include "prs/study/response.h"
@@ -96,8 +97,8 @@ std::string name_of(const Json& load_case) { return load_case.value("name", "");
 std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const Json& second) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<bool> taken(second.size());
-  for (std::size_t i = 0; i < first.size(); ++i)
-    for (std::size_t k = 0; k < second.size(); ++k)
+  for (const auto i : indices(first))
+    for (const auto k : indices(second))
       if (!taken[k] && name_of(first[i]) == name_of(second[k])) {
         taken[k] = true;
         pairs.emplace_back(i, k);
@@ -127,7 +128,7 @@ void add_results(const Headlines& of, std::array<Json, 2> documents, CaseCompari
     c.results.push_back({of.command, load_case, path, value, is_temperature ? std::nullopt : change(value)});
   };
   std::array<Json, 2> loads;
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (const auto k : up_to(2)) {
     loads[k] = documents[k].value("load_cases", Json::array());
     documents[k].erase("load_cases");
   }
@@ -159,7 +160,7 @@ CaseComparison compared(const input::Source& first, const input::Source& second)
   CaseComparison c;
   const std::array<const input::Source*, 2> sources{&first, &second};
   std::array<input::CaseInput, 2> in;
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (const auto k : up_to(2)) {
     in[k] = input::read_case_input(*sources[k], Command::check);
     c.info[k] = document_info(*sources[k], Command::compare);
     c.warnings[k] = analysis_of(Command::check).run(*sources[k], in[k]).warnings();
@@ -173,7 +174,7 @@ CaseComparison compared(const input::Source& first, const input::Source& second)
     if (!ready[0] || !ready[1]) continue;
     std::array<Json, 2> documents;
     std::array<Figures, 2> drawn;
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (const auto k : up_to(2)) {
       const Delivery d = analysis_of(of.command).run(*sources[k], in[k]);
       documents[k] = d.document({});
       if (d.pictures) drawn[k] = figures(d.pictures());
@@ -242,17 +243,17 @@ std::string table(const CaseComparison& c) {
     before = &row;
     const TableResponse shown = table_response(row.path);
     Both<std::string> value;
-    for (std::size_t k = 0; k < 2; ++k)
+    for (const auto k : up_to(2))
       if (row.value[k]) value[k] = significant(shown.factor * *row.value[k]);
     text += line(shown.text(), value, row.change);
   }
   if (!c.notes.empty()) text += '\n';
   for (const std::string& note : c.notes) text += wrapped(printable(note), "", kTableWidth);
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (const auto k : up_to(2)) {
     std::string alone;
     const std::vector<std::string> others = sentences(c.warnings[1 - k]);
     for (const std::string& warning : sentences(c.warnings[k]))
-      if (std::ranges::find(others, warning) == others.end()) alone += wrapped(printable(warning), "  ", kTableWidth);
+      if (!contains(others, warning)) alone += wrapped(printable(warning), "  ", kTableWidth);
     if (!alone.empty()) text += fmt::format("\nWarnings of {} alone\n{}", printable(c.info[k].case_file), alone);
   }
   return text;

@@ -1,6 +1,7 @@
 #include "prs/run/document_schema.h"
 
 #include "modules/module.h"
+#include "prs/indices.h"
 #include "prs/input/schema.h"
 #include "prs/record/schema_parts.h"
 #include "prs/run/check.h"
@@ -35,7 +36,7 @@ void put_record(Json& records, const RecordInfo& record) {
   for (const QuantityInfo& q : record.quantities)
     if (q.record) put_record(records, q.record());
   if (records.contains(record.name)) {  // Same record of another type, which may lack other quantities.
-    for (std::size_t k = 0; k < record.quantities.size(); ++k)
+    for (const auto k : indices(record.quantities))
       if (record.quantities[k].form.optional) records[record.name]["quantities"][k]["optional"] = true;
     return;
   }

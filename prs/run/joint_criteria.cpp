@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "prs/indices.h"
 #include "prs/loads/load_criteria.h"
 #include "prs/losses/slip_criteria.h"
 #include "prs/measures/measures_criteria.h"
@@ -94,7 +95,7 @@ std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contact
 std::optional<MeasuresResult> warm_measures(const Case& c, const MeasuresResult& measures, const Result* slip) {
   if (!warms(c.heat) || !slip) return std::nullopt;
   MeasuresResult warm = measures;
-  for (std::size_t k = 0; k < warm.load_measures.size(); ++k) {
+  for (const auto k : indices(warm.load_measures)) {
     Conditions of_case = c;
     of_case.deviations.temperature = temperature_of(*slip, c, k);
     if (!of_case.deviations.temperature) return std::nullopt;
@@ -109,7 +110,7 @@ std::optional<MeasuresResult> warm_measures(const Case& c, const MeasuresResult&
 std::optional<PreloadedLoads> loads_under_preload(const Case& c, const Contacts& contacts, const Result* slip) {
   PreloadedLoads found;
   found.loads.contacts = contacts;
-  for (std::size_t k = 0; k < c.load_cases.size(); ++k) {
+  for (const auto k : indices(c.load_cases)) {
     const LoadCase& load = c.load_cases[k];
     if (!has_both_flanks(c, load.share)) continue;
     Conditions warm = c;
@@ -125,7 +126,7 @@ std::optional<PreloadedLoads> loads_under_preload(const Case& c, const Contacts&
 
 std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded) {
   FoundCriterion safety("static_safety"), edge("flank_edge");
-  for (std::size_t k = 0; k < preloaded.forces.size(); ++k) {
+  for (const auto k : indices(preloaded.forces)) {
     const auto& [rating, edge_load] = preloaded.forces[k];
     const LoadCase& load = preloaded.loads.load_cases[k].load_case;
     if (rating) safety.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", under preload");

@@ -1,5 +1,6 @@
 #include "prs/run/lists.h"
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/text.h"
 
@@ -23,7 +24,7 @@ std::string lubricants_table() {
   text +=
       "\nKinematic viscosity nu of the oil, or of the base oil of the grease, which is all that "
       "counts:\nits thickener is not modelled.\n";
-  for (std::size_t i = 0; i < sources.size(); ++i) text += fmt::format("[{}] {}\n", i + 1, sources[i]);
+  for (const auto i : indices(sources)) text += fmt::format("[{}] {}\n", i + 1, sources[i]);
   return text;
 }
 

@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/run/lists.h"
 
 #include "prs/run/commands.h"
@@ -58,7 +59,7 @@ std::vector<std::string> known_responses() {
         add_numbers(place.record(), before, others);
     }
   }
-  std::ranges::move(others, std::back_inserter(of_load_cases));
+  append(of_load_cases, others);
   return of_load_cases;
 }
 
@@ -71,7 +72,7 @@ std::vector<std::string> responses_of(const input::Source& source) {
     if (in.study ? *in.study != command : !input::missing(in, command).empty()) continue;
     const Json document = run(analysis, source).document({});
     for (std::string& path : response_paths(document))
-      if (std::ranges::find(paths, path) == paths.end()) paths.push_back(std::move(path));
+      if (!contains(paths, path)) paths.push_back(std::move(path));
   }
   return paths;
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 
+#include "prs/indices.h"
 #include "prs/input/force_history.h"
 #include "prs/model/check_case.h"
 #include "prs/optimize/optimize_files.h"
@@ -33,7 +34,7 @@ bool is_of_load_distribution(std::string_view response) {
   if (response.starts_with("load_cases[")) response.remove_prefix(std::min(response.find('.') + 1, response.size()));
   static constexpr std::string_view kOfCase[] = {"axial_displacement_um", "axial_stiffness_N_per_um",
                                                  "tangent_stiffness_N_per_um"};
-  if (std::ranges::find(kOfCase, response) != std::end(kOfCase)) return true;
+  if (contains(kOfCase, response)) return true;
   static constexpr std::string_view kOfThreads[] = {"axial_load_N", "normal_load_N",    "load_rate_percent",
                                                     "approach_um",  "normal_angle_deg", "hertz_constant_N_per_mm1_5"};
   for (const std::string_view interface : {"screw.", "nut."})
@@ -72,7 +73,7 @@ Warning idle_warning(const Factor& factor) {
 /// Factors by which no response has a derivative other than 0.
 std::vector<Warning> idle_warnings(const CaseDerivatives& result) {
   std::vector<Warning> warnings;
-  for (std::size_t f = 0; f < result.factors.size(); ++f) {
+  for (const auto f : indices(result.factors)) {
     const auto is_zero = [](const std::optional<Derivative>& d) { return d && d->value == 0.0; };
     const auto& responses = result.factors[f].responses;
     if (!responses.empty() && std::ranges::all_of(responses, is_zero))
@@ -177,7 +178,7 @@ std::vector<Warning> study_warnings(const input::StudyInput& in, const StudyResu
                           "run the study in one piece for that"});
   }
   for (const std::size_t f : idle) warnings.push_back(idle_warning(study.factors[f]));
-  std::ranges::move(assumed_value_warnings(in, result), std::back_inserter(warnings));
+  append(warnings, assumed_value_warnings(in, result));
   return warnings;
 }
 

@@ -64,7 +64,7 @@ void warn_of_lifted_rollers(const LoadCaseResult& loaded, std::vector<Warning>& 
   warnings.push_back(Warning{loaded.load_case.speed ? path_in(loaded.load_case, "speed") : "operation.speed",
                              "lifted_rollers",
                              fmt::format("rollers leave the screw at {} of {} contacts: centrifugal force presses "
-                                         "each with {{value}} to the nut, against {:.4g} N on all of them along "
+                                         "each with {{value}} to the nut, against {{{:.4g} N}} on all of them along "
                                          "the axis",
                                          lifted, threads.screw.normal_load.size(), loaded.load_case.axial_force),
                              "take less speed, more load or a preload"}
@@ -230,7 +230,8 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
           "{}; other guides give another rest",
           name(i), change(i) * "%"_per_si, (all - 1.0) * "%"_per_si,
           taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * "%"_per_si) : "", kind,
-          loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * "µm"_per_si) : "taken without play")}
+          loose ? fmt::format("with a clearance of {{{:g} um}}", guidance.clearance * "µm"_per_si)
+                : "taken without play")}
       .with(std::abs(change(i)), kMuch, "%"_unit)
       .as_assumption();
 }

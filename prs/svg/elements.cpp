@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "prs/indices.h"
 #include "prs/record/pictures.h"
 #include "prs/text.h"
 
@@ -33,7 +34,7 @@ std::string colour_at(double share) {
   const double at = std::clamp(share, 0.0, 1.0) * kLast;
   const auto k = static_cast<std::size_t>(std::min(std::floor(at), kLast - 1.0));
   std::string colour = "#";
-  for (std::size_t channel = 0; channel < 3; ++channel)
+  for (const auto channel : up_to(3))
     colour += fmt::format(
         "{:02x}", std::lround(std::lerp(channel_of(kScaleColours[k], channel),
                                         channel_of(kScaleColours[k + 1], channel), at - static_cast<double>(k))));
@@ -96,7 +97,7 @@ std::string text(double x, double y, std::string_view classes, std::string_view 
 std::string texts(double x, double y, std::string_view classes, const std::vector<std::string>& lines,
                   std::string_view more) {
   std::string all;
-  for (std::size_t k = 0; k < lines.size(); ++k)
+  for (const auto k : indices(lines))
     if (!lines[k].empty())
       all += text(x, y - kLineHeight * static_cast<double>(lines.size() - 1 - k), classes, lines[k], more);
   return all;
@@ -147,7 +148,7 @@ TextBox text_box(std::string_view text, double x, double baseline, double share)
 
 ScaleSteps::ScaleSteps(const ColourScale& scale) : scale_(scale) {
   const std::size_t count = scale.levels.size() > 2 ? scale.levels.size() - 1 : kContinuous;
-  for (std::size_t k = 0; k < count; ++k)
+  for (const auto k : up_to(count))
     colours_.push_back(colour_at(static_cast<double>(k) / static_cast<double>(count - 1)));
 }
 
@@ -192,7 +193,7 @@ std::string svg_rules(bool themed) {
       ".n{{fill:#1a1a1a;text-anchor:middle;font-size:13px;paint-order:stroke;stroke:#fff;stroke-"
       "opacity:.6;stroke-width:3px}}\n",
       ink, quiet, line, paper, kFontSize);
-  for (std::size_t k = 0; k < std::size(kColours); ++k)
+  for (const auto k : up_to(std::size(kColours)))
     rules += fmt::format(".s{0}{{stroke:{1};fill:none}}.f{0}{{fill:{1}}}.p{0}{{fill:{1};fill-opacity:.22}}\n", k,
                          themed ? fmt::format("var(--c{})", k) : std::string(kColours[k]));
   return rules;
@@ -353,7 +354,7 @@ Layout::Layout(const Figure& figure, int image_width)
     const int height = pass == 0 ? 240 : panel_height_;
     left_ = 40;
     gap_ = columns_ > 1 ? 34 : 0;
-    for (std::size_t k = 0; k < figure.panels.size(); ++k)
+    for (const auto k : indices(figure.panels))
       if (column(k) == 0)
         left_ = std::max(left_, room_left(figure, figure.panels[k], height, true));
       else

@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/svg/panel.h"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ std::vector<Polyline> contour_lines(const GridData& grid, double level) {
       const std::array<Node, 4> at = corners(i, j);
       std::array<bool, 4> above{};
       bool has_all = true;
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (const auto k : up_to(4)) {
         const double value = grid.at(at[k].i, at[k].j);
         above[k] = value >= level;
         has_all = has_all && std::isfinite(value);
@@ -103,7 +104,7 @@ std::vector<Polyline> contour_lines(const GridData& grid, double level) {
       if (!has_all) continue;
       // One line cuts off each run of corners below the level: if both pairs of opposite corners differ, the part above
       // is connected.
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (const auto k : up_to(4)) {
         if (!above[k] || above[(k + 1) % 4]) continue;  // A run of corners below begins at k + 1.
         std::size_t last = k + 1;
         while (!above[(last + 1) % 4]) ++last;
@@ -134,7 +135,7 @@ std::string cells_svg(const GridData& grid, const ColourScale& scale, const Fram
   const auto tenths = [](std::pair<double, double> ends) {
     return std::pair{std::lround(10.0 * ends.first), std::lround(10.0 * ends.second)};
   };
-  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+  for (const auto i : indices(grid.x)) {
     const std::pair<long, long> sides = tenths(cell(grid.x, i, f.across));
     for (std::size_t j = 0; j < grid.y.size();) {
       const int step = steps.step(grid.at(i, j));
@@ -154,7 +155,7 @@ std::string cells_svg(const GridData& grid, const ColourScale& scale, const Fram
     }
   }
   std::string all;
-  for (std::size_t k = 0; k < paths.size(); ++k)
+  for (const auto k : indices(paths))
     if (!paths[k].empty()) all += "<path d=\"" + paths[k] + "\" class=\"c\" fill=\"" + steps.colours()[k] + "\"/>";
   return all;
 }
@@ -246,7 +247,7 @@ std::string contour_numbers(const std::vector<Contours>& contours, const Frame& 
         length += std::hypot(f.across(line[k][0]) - f.across(line[k - 1][0]), f.up(line[k][1]) - f.up(line[k - 1][1]));
       if (length < kShortest) continue;
       // First free position from the middle of the line outwards.
-      for (std::size_t k = 0; k < line.size(); ++k) {
+      for (const auto k : indices(line)) {
         const std::size_t half = (k + 1) / 2, middle = line.size() / 2;
         const std::size_t at = k % 2 ? middle - std::min(middle, half) : std::min(middle + half, line.size() - 1);
         const double x = f.across(line[at][0]), y = f.up(line[at][1]) + 4.5;

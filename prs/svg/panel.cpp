@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/record/pictures.h"
 
 namespace prs {
@@ -270,7 +271,7 @@ std::string colour_bar_svg(const ColourScale& scale, const Box& b) {
   const double width = static_cast<double>(b.width()) / static_cast<double>(steps.colours().size());
   std::string all;
   double left = b.left;
-  for (std::size_t k = 0; k < steps.colours().size(); ++k) {
+  for (const auto k : indices(steps.colours())) {
     const double right = scale.levels.size() > 2 ? across(scale.levels[k + 1]) : left + width;
     all += fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>", left, b.top,
                        right - left + 0.4, b.height(), steps.colours()[k]);
@@ -363,7 +364,7 @@ std::string way(const Polyline& points, const Frame& f, bool closed) {
   std::array<long, 2> last{};
   const auto placed = [&](std::size_t k) { return std::array{f.across(points[k][0]), f.up(points[k][1])}; };
   unsigned before = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (const auto k : indices(points)) {
     at = placed(k);
     if (!std::isfinite(at[0]) || !std::isfinite(at[1])) {
       next = 'M';
@@ -401,7 +402,7 @@ std::string series_svg(const Figure& figure, const Series& series, const Frame& 
   const std::size_t stride = lined && longest > kMostMarks ? longest / 12 : 1;
   const double radius = kMarkRadius * look(kMarkSizes, style.weight);
   std::string all, d, marks;
-  for (std::size_t k = 0; k < series.parts.size(); ++k) {
+  for (const auto k : indices(series.parts)) {
     const Polyline& part = series.parts[k];
     const bool valued = k < series.values.size() && scale;
     const std::string colour = valued ? scale->colour(series.values[k]) : "";
@@ -466,9 +467,9 @@ std::string svg_file(const Figure& drawn) {
       layout.width(), height, top, html(figure.title), svg_rules(false));
   const double baseline = top + 25 + kLineHeight * static_cast<double>(title.size() - 1);
   all += texts(0.5 * layout.width(), baseline, "m b", title);
-  for (std::size_t k = 0; k < figure.panels.size(); ++k) all += "\n" + panel_svg(figure, layout, k, "panel");
+  for (const auto k : indices(figure.panels)) all += "\n" + panel_svg(figure, layout, k, "panel");
   if (figure.colours) all += "\n" + colour_bar_svg(*figure.colours, layout.colour_bar());
-  for (std::size_t k = 0; k < figure.legend.size(); ++k) {
+  for (const auto k : indices(figure.legend)) {
     const LegendEntry& entry = figure.legend[k];
     const Box box = layout.legend_entry(k);
     all += fmt::format("\n<g transform=\"translate({} {})\">{}</g>", box.left, box.top,

@@ -6,6 +6,8 @@
 #include <string_view>
 #ifndef __EMSCRIPTEN__
 #include <zlib.h>
+
+#include "prs/indices.h"
 #endif
 
 namespace prs {
@@ -69,9 +71,9 @@ std::string base64(std::string_view bytes) {
   std::string text;
   for (std::size_t at = 0; at < bytes.size(); at += 3) {
     std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (const auto k : up_to(3))
       three = three << 8 | (at + k < bytes.size() ? static_cast<unsigned char>(bytes[at + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += at + k > bytes.size() ? '=' : kDigits[(three >> (18 - 6 * k)) & 63];
+    for (const auto k : up_to(4)) text += at + k > bytes.size() ? '=' : kDigits[(three >> (18 - 6 * k)) & 63];
   }
   return text;
 }
@@ -89,7 +91,7 @@ std::string png(const Image& image) {
       std::from_chars(&colour[channel], &colour[channel] + 2, level, 16);
       palette += static_cast<char>(level);
     }
-  for (std::size_t row = 0; row < image.height; ++row) {
+  for (const auto row : up_to(image.height)) {
     rows += '\0';  // No filter.
     rows.append(image.pixels, row * image.width, image.width);
   }

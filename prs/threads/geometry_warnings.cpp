@@ -134,7 +134,7 @@ void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads, 
     const auto [before, behind] = nut_diameters_at(nut, *section);
     if (before == behind || (before > behind) == (d == Direction::compression)) continue;
     warnings.push_back({fmt::format("structure.nut.thrust.{}", name(d)), "pulled_face",
-                        fmt::format("{} lifts the nut off the face at {:g} mm: it holds with a bolted "
+                        fmt::format("{} lifts the nut off the face at {{{:g} mm}}: it holds with a bolted "
                                     "flange, not against a housing that only pushes",
                                     name(d), *section * "mm"_per_si)});
   }

@@ -85,15 +85,19 @@ TEST(TableUnits, EveryUnitThatIsReplacedIsOneOfDocumentsAndKeepsItsValue) {
   EXPECT_EQ(fixed_with_unit(12e3, "kN", 3), "2697.7 lbf");
 }
 
-TEST(TableUnits, SentencesHaveThemToo) {
-  const std::string told = "a: got 0.2 to 0.5 mm, 12.5 kN (4.0 GPa); write `b: 5 mm`; 9 mm/min, -1e-3 N/µm";
-  EXPECT_EQ(in_table_units(told), told);
+TEST(TableUnits, QuantitiesOfTextsHaveThemTooWithAsManyDigits) {
+  EXPECT_EQ(in_table_unit("12.34 kN"), "12.34 kN");
+  const Warning warning = Warning{"a", "code", "got {value}, against {0.5 mm} at {limit}, `{b: 5 mm}`", "write 1"}.with(
+      12.5e3, 4.0e3, "kN"_unit);
+  EXPECT_EQ(sentence(warning), "a: got 12.5 kN, against 0.5 mm at 4 kN, `{b: 5 mm}`; write 1");
   const TableUnits units(UnitSystem::us);
   // 1 lbf = 4.448222 N, 1 ksi = 6.894757 MPa (NIST SP 811, appendix B.8).
-  EXPECT_EQ(in_table_units(told),
-            "a: got 0.00787 to 0.0197 in, 2810 lbf (580 ksi); write `b: 5 mm`; 9 mm/min, "
-            "-5.71e-06 lbf/µin");
-  EXPECT_EQ(in_table_units("12.34 kN, 30 × 10 mm, −2.54 mm"), "2774 lbf, 1.18 × 0.394 in, −0.1 in");
+  EXPECT_EQ(in_table_unit("12.34 kN"), "2774 lbf");
+  EXPECT_EQ(in_table_unit("4.0 GPa"), "580 ksi");
+  EXPECT_EQ(in_table_unit("−2.54 mm"), "−0.1 in");
+  EXPECT_EQ(in_table_unit("-1e-3 N/µm"), "-5.71e-06 lbf/µin");
+  EXPECT_EQ(in_table_unit("9 mm/min"), "9 mm/min");
+  EXPECT_EQ(table_sentence(warning), "a: got 2810 lbf, against 0.0197 in at 899 lbf, `{b: 5 mm}`; write 1");
 }
 
 TEST(ContactTable, RoundingErrorsHaveNoSign) {

@@ -406,9 +406,8 @@ TEST(Size, WarningsHaveTheirNumbers) {
   EXPECT_THAT(sentence(stroke), testing::StartsWith("stroke: the stroke under load, 10 mm, is below"));
   EXPECT_THAT(sentence(stroke), testing::HasSubstr("mm, 1.5 times the nut's length: life needs"));
   const TableUnits us(UnitSystem::us);
-  EXPECT_THAT(in_table_units(sentence(stroke)),
-              testing::StartsWith("stroke: the stroke under load, 0.394 in, is below"));
-  EXPECT_THAT(in_table_units(sentence(warning("largest_force"))), testing::HasSubstr("force, 45000 lbf, is beyond"));
+  EXPECT_THAT(table_sentence(stroke), testing::StartsWith("stroke: the stroke under load, 0.394 in, is below"));
+  EXPECT_THAT(table_sentence(warning("largest_force")), testing::HasSubstr("force, 45000 lbf, is beyond"));
 }
 
 TEST(Size, TheLargestSpeedIsInTheUnitOfTables) {
