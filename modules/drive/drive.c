@@ -45,7 +45,11 @@ size_t prs_drive_numbers(PrsDrive* d, double* values, int store) {
                           &d->integral_time,
                           &d->largest_torque,
                           &d->largest_speed,
-                          &d->time_constant};
+                          &d->time_constant,
+                          &d->linkage.base,
+                          &d->linkage.arm,
+                          &d->lever_inertia,
+                          &d->lever_length};
   int* const whole[] = {&d->coupled, &d->stop[0].stands,   &d->stop[1].stands,     &d->has_shaft, &d->fixed_fixed,
                         &d->by,      &d->feedback_of_load, &d->feeds_speed_forward};
   size_t n = 0, k;
@@ -60,6 +64,39 @@ size_t prs_drive_numbers(PrsDrive* d, double* values, int store) {
     else
       *whole[k] = (int)values[n];
   return n;
+}
+
+/* The lever with a length and an angle that belong to each other. */
+static PrsLever lever_of(const PrsLinkage* k, double length, double angle) {
+  PrsLever lever;
+  lever.angle = angle;
+  lever.length = length;
+  lever.ratio = k->base * k->arm * sin(angle) / length;
+  lever.bend = (k->base * k->arm * cos(angle) - lever.ratio * lever.ratio) / length;
+  return lever;
+}
+
+PrsLever prs_lever(const PrsLinkage* k, double angle) {
+  const double a = k->base, b = k->arm;
+  return lever_of(k, sqrt(a * a + b * b - 2.0 * a * b * cos(angle)), angle);
+}
+
+PrsLever prs_lever_of_length(const PrsLinkage* k, double length) {
+  /* Of the half angle, which keeps its digits near a line. */
+  const double a = k->base, b = k->arm;
+  const double share = (length * length - (a - b) * (a - b)) / (4.0 * a * b);
+  return lever_of(k, length, 2.0 * asin(sqrt(smallest_of(1.0, largest_of(0.0, share)))));
+}
+
+PrsLever prs_lever_at(const PrsDrive* d, double x) {
+  return prs_lever_of_length(&d->linkage, d->lever_length + (x - d->start_position));
+}
+
+double prs_mass_at(const PrsDrive* d, double x) {
+  double ratio;
+  if (!(d->linkage.arm > 0.0)) return d->mass;
+  ratio = prs_lever_at(d, x).ratio;
+  return d->lever_inertia / (ratio * ratio);
 }
 
 double prs_friction_torque(const PrsCurves* curves, double force, double speed, int sigma) {
@@ -333,7 +370,7 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   const double r = run->reach;
   const int by_speed = d->by == PRS_BY_SPEED, rigid = !d->coupled;
   double reference_slope, command, acceleration, turning, free_force;
-  double rotor_friction, thread = 0.0, motor_turning;
+  double rotor_friction, thread = 0.0, motor_turning, swing = 0.0;
   PrsInputs in;
   int motor_sense, i;
   for (i = 0; i < PRS_EVENTS; ++i) v->event[i] = 1.0;
@@ -348,8 +385,17 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   v->delta_rate = r * v->omega - v->v;
   v->theta_rate = rigid ? 0.0 : v->omega_m - v->omega;
   v->external = in.force;
-
+  v->mass = d->mass;
   take_force(run, v);
+  if (d->linkage.arm > 0.0) { /* J angle'' + M = g F */
+    const PrsLever lever = prs_lever_at(d, v->x);
+    const double squared = lever.ratio * lever.ratio;
+    v->lever = lever;
+    v->mass = d->lever_inertia / squared;
+    v->external = in.force / lever.ratio;
+    swing = v->mass * lever.bend * v->v * v->v / squared;
+    if (prs_is_dead_centre(lever.angle)) v->left_shaft = 2;
+  }
   take_stops(run, v);
 
   /* Motor. */
@@ -365,11 +411,11 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   v->motor_friction = motor_sense * rotor_friction;
 
   /* Load. */
-  free_force = v->force + v->shaft_force - v->external + v->stop_force;
+  free_force = v->force + v->shaft_force - v->external + v->stop_force + swing;
   v->drive[PRS_LOAD] = free_force;
   v->load_friction = m->place[PRS_LOAD] == PRS_FREE ? 0.0 : m->place[PRS_LOAD] * d->load_friction;
   acceleration =
-      m->place[PRS_LOAD] == PRS_STICKS ? 0.0 : (free_force - v->load_friction - d->load_damping * v->v) / d->mass;
+      m->place[PRS_LOAD] == PRS_STICKS ? 0.0 : (free_force - v->load_friction - d->load_damping * v->v) / v->mass;
 
   /* Screw, and with it the rotor where both are one. */
   {
@@ -468,7 +514,9 @@ void prs_scales(const PrsRun* run, double scale[PRS_STATES]) {
 
 double prs_fastest(const PrsRun* run) {
   const PrsDrive* const d = run->drive;
-  const double r = run->reach, load = 1.0 / d->mass;
+  /* The arm of a screw at a lever is at most the shorter of base and arm. */
+  const double arm = smallest_of(d->linkage.base, d->linkage.arm);
+  const double r = run->reach, load = arm > 0.0 ? arm * arm / d->lever_inertia : 1.0 / d->mass;
   double steepest = 0.0, turns = 0.0, twists = 0.0;
   int i;
   for (i = 0; i < 2; ++i) {
@@ -492,7 +540,7 @@ double prs_stored_energy(const PrsRun* run, const PrsView* v) {
   double c, slope, energy;
   int i;
   prs_shaft_compliance(d, v->x, &c, &slope);
-  energy = 0.5 * (d->mass * v->v * v->v + d->screw_inertia * v->omega * v->omega +
+  energy = 0.5 * (v->mass * v->v * v->v + d->screw_inertia * v->omega * v->omega +
                   d->motor_inertia * v->omega_m * v->omega_m + c * v->static_force * v->static_force +
                   d->coupling_stiffness * v->theta * v->theta) +
            prs_elastic_energy(&d->curves, v->u);
@@ -620,8 +668,11 @@ void prs_run_start(PrsRun* run, const PrsDrive* d, PrsSignals signals, double re
   s->y[PRS_V] = d->start_speed;
   s->y[PRS_OMEGA] = d->coupled || d->by != PRS_BY_SPEED ? d->start_speed / run->reach : 0.0;
   s->y[PRS_OMEGA_M] = d->coupled && d->by != PRS_BY_SPEED ? d->start_speed / run->reach : 0.0;
-  s->y[PRS_DELTA] =
-      d->start_deflection < HUGE_VAL ? d->start_deflection : prs_static_deflection(d, in.force, d->start_position);
+  s->y[PRS_DELTA] = d->start_deflection < HUGE_VAL
+                        ? d->start_deflection
+                        : prs_static_deflection(
+                              d, d->linkage.arm > 0.0 ? in.force / prs_lever_at(d, d->start_position).ratio : in.force,
+                              d->start_position);
   if (s->y[PRS_DELTA] > run->play[0]) s->modes.flank = 1;
   if (s->y[PRS_DELTA] < -run->play[1]) s->modes.flank = -1;
   prs_shaft_compliance(d, d->start_position, &c, &slope);

@@ -17,6 +17,17 @@ typedef struct {
   double at, stiffness, damping; /* Force k p max(0, 1 + damping p') */
 } PrsStop;
 
+/* A screw between a point of a base and one of an arm, each at its distance from their joint. */
+typedef struct {
+  double base, arm; /* [m] */
+} PrsLinkage;
+
+/* The linkage at an angle between base and arm. */
+typedef struct {
+  double angle, length; /* [rad]; between the screw's ends [m] */
+  double ratio, bend;   /* g = dL/dangle and dg/dangle [m/rad] */
+} PrsLever;
+
 /* All that does not change during a run. What is not there is 0, a bound or time that never comes
    HUGE_VAL. */
 typedef struct {
@@ -34,14 +45,16 @@ typedef struct {
   int by; /* PRS_BY_TORQUE, .. */
   double position_gain, speed_gain, integral_time, largest_torque, largest_speed;
   int feedback_of_load, feeds_speed_forward;
-  double time_constant; /* Of the current loop */
+  double time_constant;               /* Of the current loop */
+  PrsLinkage linkage;                 /* Arm 0: none; with a lever the mass is that at the start. */
+  double lever_inertia, lever_length; /* Length between the screw's ends at the start */
 } PrsDrive;
 
 /* What the drive is told from outside. */
 typedef struct {
   double motor;        /* Torque, speed, or reference of the controller */
   double slope, curve; /* Its first and second derivative */
-  double force;        /* External, holds the load back against +x */
+  double force;        /* External, holds the load back against +x; of a lever its torque against growing angles */
 } PrsInputs;
 
 /* Values of one piece of the signals: `bind` chooses that which holds from t on, `at` continues it
@@ -83,6 +96,8 @@ typedef struct {
   double t, x, v, phi, omega, phi_m, omega_m, delta, u;
   double force, static_force, tangent, shaft_force;
   double motor_torque, coupling_torque, external, stop_force, stop_pressed, stop_damped;
+  double mass; /* That moves; of a lever reflected at this instant */
+  PrsLever lever;
   double load_friction, screw_friction, motor_friction;
   double reference, error; /* Of the controller: its signal, and what following misses */
   double theta, delta_rate, theta_rate;
@@ -90,7 +105,7 @@ typedef struct {
   double asked, pressed; /* Speed before its bound; force of the closed flank before it is lifted */
   double drive[PRS_PLACES], up[PRS_PLACES], down[PRS_PLACES];
   double event[PRS_EVENTS]; /* > 0 until it happens */
-  int left_shaft;
+  int left_shaft;           /* 2: the lever is at a dead centre */
 } PrsView;
 
 /* One step of an integrator; all return 0 where they failed. */
@@ -132,13 +147,26 @@ void prs_run_start(PrsRun* run, const PrsDrive* drive, PrsSignals signals, doubl
 int prs_run_to(PrsRun* run, const PrsStepper* stepper, const PrsObserver* observer, double end);
 
 /* The numbers of a drive but its curves, from `values` or, with `store`, into them; how many. */
-enum { PRS_DRIVE_NUMBERS = 40 };
+enum { PRS_DRIVE_NUMBERS = 44 };
 size_t prs_drive_numbers(PrsDrive* drive, double* values, int store);
 
 /* Derivatives. */
 void prs_rates(const PrsRun* run, double t, const double y[PRS_STATES], double rate[PRS_STATES]);
 /* All quantities, with the derivatives where `rate` is not null. */
 void prs_view(const PrsRun* run, double t, const double y[PRS_STATES], double rate[PRS_STATES], PrsView* view);
+
+/* The linkage at an angle, or with a length between the screw's ends:
+   L^2 = a^2 + b^2 - 2 a b cos(angle). */
+PrsLever prs_lever(const PrsLinkage* linkage, double angle);
+PrsLever prs_lever_of_length(const PrsLinkage* linkage, double length);
+/* Whether base and arm are within 1 degree of a line, or beyond it. */
+static inline int prs_is_dead_centre(double angle) {
+  return !(angle > 0.017453292519943296 && angle < 3.1241393610698499);
+}
+/* The lever of a drive at a place of the load. */
+PrsLever prs_lever_at(const PrsDrive* drive, double x);
+/* Mass that moves along the axis at a place; of a lever J/g^2. */
+double prs_mass_at(const PrsDrive* drive, double x);
 
 /* Force of the curve under the shaft's compliance c: S and the way u of the screw under delta. */
 double prs_series_force(const PrsCurves* curves, double delta, double c, double* u, double* tangent);

@@ -30,10 +30,10 @@ double integral_in_root(double anchor, const PrsView points[PRS_POINTS], const V
 }
 
 /// Effective mass that a closing flank stops.
-double reduced_mass(const PrsDrive& d, double reach) {
-  if (d.coupled == 0 && d.by == PRS_BY_SPEED) return d.mass;
+double reduced_mass(const PrsDrive& d, double mass, double reach) {
+  if (d.coupled == 0 && d.by == PRS_BY_SPEED) return mass;
   const double turning = (d.screw_inertia + (d.coupled != 0 ? 0.0 : d.motor_inertia)) / (reach * reach);
-  return d.mass * turning / (d.mass + turning);
+  return mass * turning / (mass + turning);
 }
 
 }  // namespace
@@ -43,8 +43,7 @@ Recorder::Recorder(const DriveRun& run, PrsRun& core, const PrsStepper& stepper,
       core_(core),
       stepper_(stepper),
       result_(result),
-      follow_until_(run.drive.by >= PRS_SPEED_LOOP ? std::min(run.duration, run.drive.cut_at) : -1.0),
-      reduced_mass_(reduced_mass(run.drive, core.reach)) {
+      follow_until_(run.drive.by >= PRS_SPEED_LOOP ? std::min(run.duration, run.drive.cut_at) : -1.0) {
   PrsView view;
   prs_view(&core_, 0.0, core_.state.y, nullptr, &view);
   result_.stored_start = prs_stored_energy(&core_, &view);
@@ -157,6 +156,10 @@ void Recorder::sample(const PrsView& v) {
   r.coupling_torque.push_back(v.coupling_torque);
   r.external.push_back(v.external);
   r.stop_force.push_back(v.stop_pressed);
+  if (!(run_.drive.linkage.arm > 0.0)) return;
+  r.lever_angle.push_back(v.lever.angle);
+  r.lever_speed.push_back(v.v / v.lever.ratio);
+  r.lever_torque.push_back(v.external * v.lever.ratio);
 }
 
 void Recorder::begin(const PrsView& view, int closed) {
@@ -164,7 +167,8 @@ void Recorder::begin(const PrsView& view, int closed) {
   if (closed != 0 && view.t > 0.0) {
     if (!result_.impacts.empty()) result_.impacts.back().force = peaks_[kImpact];
     const double speed = std::abs(view.delta_rate);
-    result_.impacts.push_back({view.t, closed, speed, 0.5 * reduced_mass_ * speed * speed});
+    result_.impacts.push_back(
+        {view.t, closed, speed, 0.5 * reduced_mass(run_.drive, view.mass, core_.reach) * speed * speed});
     peaks_[kImpact] = {0.0, view.t, true};
   }
   track(view);

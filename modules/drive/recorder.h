@@ -38,7 +38,7 @@ class Recorder {
   PrsRun& core_;
   const PrsStepper& stepper_;
   DriveResult& result_;
-  double follow_until_, reduced_mass_;
+  double follow_until_;
   double closed_ = -HUGE_VAL;  ///< Time of the last closing of a flank.
   DrivePeak peaks_[kAll];
 };

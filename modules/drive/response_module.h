@@ -40,6 +40,7 @@ struct DriveResult {
   double stopped_at = 0.0, position = 0.0;
   std::vector<double> time, x, v, phi, omega, phi_m, omega_m, delta, force, motor_torque, coupling_torque, external,
       stop_force;
+  std::vector<double> lever_angle, lever_speed, lever_torque;  ///< Empty without a lever.
   double motor = 0.0, load = 0.0, stored_start = 0.0, stored_end = 0.0, turnover = 0.0;
   double screw_friction = 0.0, motor_friction = 0.0, load_friction = 0.0;
   double coupling = 0.0, contact = 0.0, end_stop = 0.0, viscous = 0.0;

@@ -36,10 +36,14 @@ SmallVibration vibration_of(const PrsDrive& d, const WorkingPoint& f, double k) 
   Eigen::Matrix3d screw, coupling = Eigen::Matrix3d::Zero();
   screw << 1.0, -r, 0.0, -g, g * r, 0.0, 0.0, 0.0, 0.0;
   if (d.coupled != 0) coupling << 0.0, 0.0, 0.0, 0.0, 1.0, -1.0, 0.0, -1.0, 1.0;
-  all.mass.diagonal() << d.mass, d.screw_inertia, d.motor_inertia;
+  all.mass.diagonal() << prs_mass_at(&d, f.position), d.screw_inertia, d.motor_inertia;
   all.damping = beta * k * screw + d.coupling_damping * coupling;
   all.damping.diagonal() += Eigen::Vector3d(d.load_damping, b, d.motor_damping);
   all.stiffness = k * screw + d.coupling_stiffness * coupling;
+  if (d.linkage.arm > 0.0) {  // Force of a constant torque over the changing arm of the lever.
+    const PrsLever lever = prs_lever_at(&d, f.position);
+    all.stiffness(0, 0) -= f.force * lever.bend / (lever.ratio * lever.ratio);
+  }
   int free = 3;
   if (d.coupled == 0) {
     free = by_speed ? 1 : 2;

@@ -58,8 +58,8 @@ bool is_stiff(const DriveRun& run, const PrsRun& core) {
   const PrsDrive& d = run.drive;
   const double fastest = prs_fastest(&core);
   const double turning = d.coupled != 0 ? d.motor_inertia : d.motor_inertia + d.screw_inertia;
-  double decay = std::max(
-      {d.material_damping * fastest * fastest, d.load_damping / d.mass, (d.motor_damping + d.speed_gain) / turning});
+  double decay = std::max({d.material_damping * fastest * fastest, d.load_damping / prs_mass_at(&d, d.start_position),
+                           (d.motor_damping + d.speed_gain) / turning});
   if (d.time_constant > 0.0) decay = std::max(decay, 1.0 / d.time_constant);
   if (d.coupled != 0) decay = std::max(decay, d.coupling_damping / d.coupling_stiffness * fastest * fastest);
   return decay > 20.0 * fastest;

@@ -157,9 +157,10 @@ FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput&
     all.push_back(k + 1 == f.points                               ? f.to
                   : f.spacing == SignalForm::Spacing::logarithmic ? f.from * std::pow(ratio, k * share)
                                                                   : f.from + (f.to - f.from) * k * share);
-  const WorkingPoint point{f.force.value_or(BoundSignal(input.load.force.terms()).at(0.0).value),
-                           f.position.value_or(input.start.position), f.speed.value_or(0.0),
-                           f.input == ResponseInput::Input::motor_torque};
+  const double position = f.position.value_or(input.start.position);
+  const double load = BoundSignal(input.load.acting().terms()).at(0.0).value;
+  const WorkingPoint point{f.force.value_or(input.load.linkage ? load / prs_lever_at(&drive, position).ratio : load),
+                           position, f.speed.value_or(0.0), f.input == ResponseInput::Input::motor_torque};
   double c = 0.0, slope = 0.0;
   if (prs_shaft_compliance(&drive, point.position, &c, &slope) == 0)
     throw CaseError("response.frequency_response.position",
@@ -259,15 +260,15 @@ SystemCurves response_curves(const Case& c, const CurveOptions& asked) {
 ResponseInput with_signal_files(const Case& c, const input::Source& source) {
   Case filled = c;
   bool any = false;
-  const auto fill = [&](const std::string& path, SignalTerm& term, bool is_force) {
+  const auto fill = [&](const std::string& path, SignalTerm& term) {
     if (!term.file) return;
     const SignalTerm::File file = *term.file;
     const std::string block = path + ".file";
     const std::string text = input::named_file_text(file.name, block + ".name", source);
-    const input::Dimension& dimension = is_force                                    ? input::unit::force
-                                        : path.starts_with("response.motor.torque") ? input::unit::torque
-                                        : path.find(".position") != path.npos       ? input::unit::length
-                                                                                    : input::unit::rotational_speed;
+    const input::Dimension& dimension = path.starts_with("response.load.force") ? input::unit::force
+                                        : path.find(".torque") != path.npos     ? input::unit::torque
+                                        : path.find(".position") != path.npos   ? input::unit::length
+                                                                                : input::unit::rotational_speed;
     std::vector<double> time, value;
     std::vector<input::WantedColumn> columns = {{"file.time", &file.time, &input::unit::duration, &time},
                                                 {"file.value", &file.value, &dimension, &value}};
@@ -284,10 +285,8 @@ ResponseInput with_signal_files(const Case& c, const input::Source& source) {
     any = true;
   };
   filled.response->for_each_signal([&](const std::string& path, Signal& signal) {
-    const std::string plain = path.substr(0, path.find('['));
-    fill(plain, signal.one, plain == "response.load.force");
-    for (std::size_t k = 0; k < signal.many.size(); ++k)
-      fill(fmt::format("{}[{}]", path, k), signal.many[k], plain == "response.load.force");
+    fill(path, signal.one);
+    for (std::size_t k = 0; k < signal.many.size(); ++k) fill(fmt::format("{}[{}]", path, k), signal.many[k]);
   });
   if (any) {
     Problems problems;
@@ -301,6 +300,13 @@ PrsDrive drive_of(const Case& c, const ResponseInput& in, const SystemCurves& cu
   PrsDrive d{};
   d.curves = curves.view();
   d.mass = in.load.mass;
+  if (in.load.linkage) {
+    const PrsLever start = prs_lever(&*in.load.linkage, *in.start.angle);
+    d.linkage = *in.load.linkage;
+    d.lever_inertia = in.load.inertia;
+    d.lever_length = start.length;
+    d.mass = d.lever_inertia / (start.ratio * start.ratio);
+  }
   d.screw_inertia = in.screw.inertia;
   d.motor_inertia = in.motor.inertia;
   if (in.coupling) {
@@ -362,7 +368,7 @@ ResponseResult analyze_response(const Case& c, const input::Source& source, cons
   r.curves_force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
   if (!curves.friction.speed.empty()) r.curves_speed = curves.friction.speed.back();
   r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
-  DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.force.terms())};
+  DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.acting().terms())};
   if (r.input.frequency_response) r.frequency_response = frequency_response(drive, r.input);
   const DriveRun run{drive,
                      signals.functions(),
@@ -373,6 +379,13 @@ ResponseResult analyze_response(const Case& c, const input::Source& source, cons
                      std::max(signals.motor.fastest(), signals.force.fastest()),
                      times};
   modules::loaded<ResponseModule>().integrate(run, r.run);
+  if (r.run.status == DriveStatus::left_shaft && r.input.load.linkage &&
+      prs_is_dead_centre(prs_lever_at(&drive, r.run.position).angle))
+    throw CaseError(
+        "response.load.linkage",
+        fmt::format("the lever reaches {:.4g} deg at {:.6g} s, a dead centre; expected an angle from 1 to 179 "
+                    "deg; change the motion, base or arm, or take an end stop",
+                    prs_lever_at(&drive, r.run.position).angle * "deg"_per_si, r.run.stopped_at));
   if (r.run.status == DriveStatus::left_shaft)
     throw CaseError("response.shaft.length",
                     fmt::format("the nut leaves the shaft at position {:.6g} mm, {:.6g} s; expected a motion on the "

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
+
 #include "modules/drive/response_module.h"
 #include "modules/drive/small_vibration.h"
 #include "prs/curves/system_curves.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/record.h"
 
 namespace prs {
 
@@ -85,5 +89,26 @@ struct ResponseResult {
 /// requirements of `response`. Throws CaseError, InputError and modules::Missing. `times`: of the
 /// samples, ascending, in place of every interval.
 ResponseResult analyze_response(const Case& c, const input::Source& source, const std::vector<double>* times = nullptr);
+
+/// A lever over its motion, as its screw sees it. SI units.
+struct LeverMotion {
+  PrsLinkage linkage;
+  double inertia = 0.0;
+  std::array<double, 2> angles = {};  ///< Smallest and largest angle.
+  double lead = 0.0;                  ///< Lead of the screw; 0 if it is not known.
+
+  PrsLever at(double share) const { return prs_lever(&linkage, angles[0] + share * (angles[1] - angles[0])); }
+  PrsLever middle() const { return at(0.5); }
+  double reflected_mass(const PrsLever& lever) const { return inertia / (lever.ratio * lever.ratio); }
+  /// Turns of the screw per turn of the lever.
+  double gear_ratio(const PrsLever& lever) const { return lever.ratio * 2.0 * std::numbers::pi / lead; }
+};
+Record<LeverMotion> record_of(Type<LeverMotion>);
+
+/// The lever of a drive between its end stops, else from 1 to 179 deg; none without a linkage.
+std::optional<LeverMotion> lever_motion(const ResponseInput& input, double lead);
+
+/// Ratio, mass and inertia over the angle, in the middle too; those of the screw only with a lead.
+std::string linkage_csv(const LeverMotion& motion, const CsvStyle& style);
 
 }  // namespace prs

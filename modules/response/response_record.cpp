@@ -38,6 +38,7 @@ namespace {
 bool has_following(const FollowingError& f) { return f.of_position; }
 bool of_speed(const FollowingError& f) { return !f.of_position; }
 bool has_threads(const LargestForce& l) { return l.threads.has_value(); }
+bool has_lead(const LeverMotion& m) { return m.lead != 0.0; }
 
 constexpr Quantity<MostLoaded> kMostLoaded[] = {
     {"normal_load_N", of<&MostLoaded::normal_load>, "of one roller's thread"},
@@ -148,6 +149,9 @@ constexpr Quantity<ResponseResult> kResponse[] = {
     {"coupling_torque_Nm", of_run<&DriveResult::coupling_torque>, "between motor and screw"},
     {"external_force_N", of_run<&DriveResult::external>, "on the load"},
     {"end_stop_force_N", of_run<&DriveResult::stop_force, &ResponseResult::has_stops>, "magnitude"},
+    {"lever_angle_deg", filled<member_of_run<&DriveResult::lever_angle>>, "between base and arm"},
+    {"lever_speed_rpm", filled<member_of_run<&DriveResult::lever_speed>>, "of the lever"},
+    {"lever_torque_Nm", filled<member_of_run<&DriveResult::lever_torque>>, "external, against growing angles"},
     {"energy_J", of<[](auto& r) { return EnergyOf{{&r}}; }>, "over the whole run"},
     {"largest", of<[](auto& r) { return LargestOf{{&r}}; }>, "over the whole run"},
     {"rms_motor_torque_Nm", of<&ResponseResult::rms_torque>, "root of the mean square"},
@@ -174,6 +178,56 @@ PRS_RECORD(FrequencyResponse, "FrequencyResponse", "Small vibration about a work
 Record<ResponseResult> record_of(Type<ResponseResult>);
 PRS_RECORD(ResponseResult, "Response", "The screw in its drive over time and over frequency, docs/response.md.",
            kResponse);
+
+constexpr Quantity<LeverMotion> kLever[] = {
+    {"smallest_angle_deg", of<[](const LeverMotion& m) { return m.angles[0]; }>, "between base and arm"},
+    {"largest_angle_deg", of<[](const LeverMotion& m) { return m.angles[1]; }>, "between base and arm"},
+    {"middle_angle_deg", of<[](const LeverMotion& m) { return m.middle().angle; }>, "between these two"},
+    {"middle_length_mm", of<[](const LeverMotion& m) { return m.middle().length; }>, "between the screw's ends, there"},
+    {"middle_ratio_mm_per_rad", of<[](const LeverMotion& m) { return m.middle().ratio; }>, "travel over angle, there"},
+    {"middle_reflected_mass_kg", of<[](const LeverMotion& m) { return m.reflected_mass(m.middle()); }>,
+     "at the nut, there"},
+    {"middle_gear_ratio", of<[](const LeverMotion& m) { return m.gear_ratio(m.middle()); }, has_lead>,
+     "turns of the screw per turn of the lever, there"},
+    {"middle_reflected_inertia_kg_mm2",
+     of<[](const LeverMotion& m) { return m.inertia / std::pow(m.gear_ratio(m.middle()), 2); }, has_lead>,
+     "at the screw, there"},
+};
+PRS_RECORD(LeverMotion, "LeverMotion", "A lever over its motion, as its screw sees it.", kLever);
+
+std::optional<LeverMotion> lever_motion(const ResponseInput& in, double lead) {
+  if (!in.load.linkage) return std::nullopt;
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  const double start = prs_lever(&*in.load.linkage, *in.start.angle).length - in.start.position;
+  const auto at = [&](const std::optional<ResponseInput::EndStop>& stop, double otherwise) {
+    return stop ? prs_lever_of_length(&*in.load.linkage, start + stop->at).angle : otherwise;
+  };
+  return LeverMotion{*in.load.linkage,
+                     in.load.inertia,
+                     {at(in.end_stops.lower, kDegree), at(in.end_stops.upper, 179.0 * kDegree)},
+                     lead};
+}
+
+std::string linkage_csv(const LeverMotion& motion, const CsvStyle& style) {
+  constexpr int kSteps = 180;
+  CsvWriter csv(style);
+  csv.fields("angle_deg", "length_mm", "ratio_mm_per_rad", "reflected_mass_kg");
+  if (has_lead(motion)) csv.fields("gear_ratio", "reflected_inertia_kg_mm2");
+  csv.end_row();
+  for (int k = 0; k <= kSteps; ++k) {
+    const PrsLever lever = motion.at(static_cast<double>(k) / kSteps);
+    csv.number(lever.angle, "deg"_per_si);
+    csv.number(lever.length, "mm"_per_si);
+    csv.number(lever.ratio, "mm/rad"_per_si);
+    csv.number(motion.reflected_mass(lever));
+    if (has_lead(motion)) {
+      csv.number(motion.gear_ratio(lever));
+      csv.number(motion.inertia / std::pow(motion.gear_ratio(lever), 2), "kg mm²"_per_si);
+    }
+    csv.end_row();
+  }
+  return csv.take();
+}
 
 std::string response_csv(const ResponseResult& result, const CsvStyle& style) {
   CsvWriter csv(style);

@@ -1,5 +1,6 @@
 #include <system_error>
 
+#include "modules/response/response.h"
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/export/robot.h"
@@ -8,6 +9,14 @@
 
 namespace prs::cli {
 namespace {
+
+/// The drive for a format whose joint has a constant mass: that of a lever in the middle of its motion.
+ResponseInput with_mass(ResponseInput in) {
+  if (!in.load.linkage) return in;
+  const LeverMotion lever = *lever_motion(in, 0.0);
+  in.load.mass = lever.reflected_mass(lever.middle());
+  return in;
+}
 
 /// A form of the model: its option, its file and its function.
 struct Form {
@@ -24,9 +33,9 @@ constexpr Form kForms[] = {
     {"--modelica", ".mo", &ExportOptions::modelica,
      [](const SystemModel& m, const auto&) { return modelica_package(m.curves, m.text); }},
     {"--mjcf", ".mjcf.xml", &ExportOptions::mjcf,
-     [](const SystemModel& m, const auto& robot) { return mjcf(*m.drive, *robot, m.text); }},
+     [](const SystemModel& m, const auto& robot) { return mjcf(with_mass(*m.drive), *robot, m.text); }},
     {"--urdf", ".urdf", &ExportOptions::urdf,
-     [](const SystemModel& m, const auto& robot) { return urdf(*m.drive, *robot, m.text); }},
+     [](const SystemModel& m, const auto& robot) { return urdf(with_mass(*m.drive), *robot, m.text); }},
 };
 
 std::vector<const Form*> forms_of(const ExportOptions& options) {
@@ -132,7 +141,9 @@ int export_model(const Options& options) {
                                 [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
   std::optional<SystemModel> still;  // Model without the drive, which robots need.
   if (o.fmu && o.is_static && for_robots) still = system_model(source, asked, WithDrive::never);
-  const Destination place = destination_of(forms, model, still ? *still : model, robot, output);
+  Destination place = destination_of(forms, model, still ? *still : model, robot, output);
+  const std::optional<LeverMotion> lever = model.drive ? lever_motion(*model.drive, model.curves.lead) : std::nullopt;
+  if (lever && !place.files.empty()) place.files.push_back({"linkage.csv", linkage_csv(*lever, {})});
   if (!place.files.empty()) write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 
   for (const std::string& warning : sentences(model.curves.warnings)) note(options, "warning: " + warning);
@@ -140,6 +151,7 @@ int export_model(const Options& options) {
     nlohmann::ordered_json document = document_head(model.info, model.curves.warnings);
     document["export"] = curves_json(model.curves);
     if (robot) document["export"]["robot"] = robot_json(*robot);
+    if (lever) document["export"]["lever"] = object_of(*lever);
     for (const OutputFile& file : place.files)
       document["export"]["files"].push_back({{"path", place.path(file)}, {"sha256", sha256(file.content)}});
     print(json_text(document));

@@ -261,8 +261,8 @@ std::string screw_text(const CompleteScrew& screw, const std::string& origin,
 /// The screw with the values of those lines, whose digits are limited.
 CompleteScrew as_written(CompleteScrew screw);
 
-/// Throws CaseError if the ratio of diameters is outside Lemor's capacity, which `prs life` needs.
-void require_capacity(const CompleteScrew& screw);
+/// Lemor's capacity, which `prs life` needs [N]. Throws CaseError if the ratio of diameters is outside of it.
+double required_capacity(const CompleteScrew& screw);
 
 /// A line of `prs configurations` as a commented case.
 std::string configuration_case(const Configuration& c);

@@ -368,7 +368,7 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
 
 std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant, const std::string& origin,
                        ModelOf model) {
-  require_capacity(screw);
+  required_capacity(screw);
   return screw_text(screw, origin, model) + loads_text(screw, model) + rest_text(screw, lubricant);
 }
 
@@ -396,12 +396,12 @@ CompleteScrew as_written(CompleteScrew s) {
 }
 
 /// With n starts the ratio is cos(alpha)/n, inverted cos(alpha)/(n + 2).
-void require_capacity(const CompleteScrew& s) {
+double required_capacity(const CompleteScrew& s) {
   const Contacts contacts = find_contacts(s.c.mechanism, s.c.materials, Detail::numbers);
   const PerInterface<InterfaceContact>& of = contacts.interfaces;
   const LemorGeometry g =
       lemor_geometry(contacts.mechanism, contact_angle({of.screw.normal_angle(), of.nut.normal_angle()}));
-  if (lemor_capacity(g)) return;
+  if (const std::optional<LemorCapacity> found = lemor_capacity(g)) return found->capacity;
   const int starts = s.c.mechanism.starts.screw, more = is_standard(s) ? 0 : 2;
   throw CaseError("starts",
                   fmt::format("got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this "

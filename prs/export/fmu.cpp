@@ -43,8 +43,9 @@ std::string with_drive(std::string xml, const ResponseInput& in, double reach) {
   const auto& controller = in.motor.controller;
   const bool of_position = controller && controller->position;
   const auto stands = [&](std::string_view when) {
-    return when == "all" || (when == "torque" && in.motor.torque) || (when == "speed" && in.motor.speed) ||
-           (when == "speed_loop" && controller && !of_position) || (when == "position_loop" && of_position) ||
+    return when == "all" || (when == (in.load.linkage ? "lever" : "along")) || (when == "torque" && in.motor.torque) ||
+           (when == "speed" && in.motor.speed) || (when == "speed_loop" && controller && !of_position) ||
+           (when == "position_loop" && of_position) ||
            (when == "feed_forward" && of_position && controller->speed_feed_forward);
   };
   std::string list, outputs;

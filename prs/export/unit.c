@@ -246,7 +246,7 @@ static fmi2Status step_drive(Unit* unit, double time, double step) {
   unit->run.state = unit->state.drive;
   unit->run.steps_left = kMostSteps;
   end = prs_run_to(&unit->run, &stepper, NULL, unit->to);
-  if (end == PRS_LEFT_SHAFT) return fail(unit, "the nut has left the shaft");
+  if (end == PRS_LEFT_SHAFT) return fail(unit, "the nut has left the shaft, or the lever is at a dead centre");
   if (end != PRS_DONE) return fail(unit, "the integration does not come through this step");
   unit->state.drive = unit->run.state;
   take_values(unit);

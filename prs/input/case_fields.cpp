@@ -983,6 +983,19 @@ void fields(const Fields& io, DriveMotor& m) {
   io("gear_ratio", m.gear_ratio, Number{positive, "1"}, "Turns of the motor per turn of the screw");
   io("gear_efficiency", m.gear_efficiency,
      Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}}, "Of the gear");
+  constexpr std::string_view kElectric = "only with `torque_constant`";
+  const bool is_electric = m.torque_constant.has_value();
+  io("torque_constant", m.torque_constant, Quantity{unit::torque_constant, positive},
+     "Torque over current of the equivalent direct-current motor");
+  io("resistance", m.resistance, Quantity{unit::resistance, positive}, optional_only_if(is_electric, kElectric),
+     "Of its winding");
+  io("supply", m.supply, Keys{[&m](const Fields& of) {
+       of("voltage", m.supply.voltage, Quantity{unit::voltage, positive}, "Greatest");
+       of("current", m.supply.current, Quantity{unit::current, positive}, "Greatest");
+     }},
+     optional_only_if(is_electric, kElectric), "What the supply gives");
+  io("continuous_current", m.continuous_current, Quantity{unit::current, positive},
+     optional_only_if(is_electric, kElectric), "Greatest rms current");
 }
 
 void fields(const Fields& io, MotorDuty::Step& s) {
@@ -996,6 +1009,9 @@ void fields(const Fields& io, MotorDuty::Step& s) {
 void fields(const Fields& io, MotorDuty& d) {
   fields(io, d.motor);
   io("brake_torque", d.brake_torque, Quantity{unit::torque, positive, "4 N m"}, "Holds the axis at rest, at its shaft");
+  io("brake_safety", d.brake_safety, Number{positive, "1.5"},
+     optional_only_if(d.brake_torque.has_value(), "only with `brake_torque`"),
+     "Least torque of the brake over that of the holding force");
   io("drag_torque", d.drag_torque, Quantity{unit::torque, not_negative}, "Against the motion, at the part that turns");
   io("holding_force", d.holding_force, Quantity{unit::force, not_negative}, "Largest at rest");
   io("back_driving", d.back_driving, Choice{}, "Whether the load may turn the screw");
@@ -1476,9 +1492,23 @@ void fields(const Fields& io, ResponseInput::Screw& s) {
   io("drag_torque", s.drag_torque, Quantity{unit::torque, not_negative}, "Dry friction of bearings and seals");
 }
 
+void fields(const Fields& io, PrsLinkage& l) {
+  const Quantity length{unit::length, positive, "500 mm"};
+  io("base", l.base, length, required, "From the joint of the lever to the point of the base that holds the screw");
+  io("arm", l.arm, length, required, "From the joint to the point of the lever that holds the screw");
+}
+
 void fields(const Fields& io, ResponseInput::Load& l) {
-  io("mass", l.mass, Quantity{unit::mass, positive}, required, "That moves along the axis");
-  io("force", l.force, OneOrSum{{unit::force}}, "> 0 holds the load back against +x and puts the screw in tension");
+  const bool turns = l.linkage.has_value();
+  constexpr std::string_view kAlong = "without `linkage`", kOfLever = "only with `linkage`";
+  io("linkage", l.linkage, Block{}, "Of a lever that the screw turns");
+  io("mass", l.mass, Quantity{unit::mass, positive}, required_only_if(!turns, kAlong), "That moves along the axis");
+  io("force", l.force, OneOrSum{{unit::force}}, optional_only_if(!turns, kAlong),
+     "> 0 holds the load back against +x and puts the screw in tension");
+  io("inertia", l.inertia, Quantity{unit::inertia, positive, "2 kg m^2"}, required_only_if(turns, kOfLever),
+     "Of the lever about its joint");
+  io("torque", l.torque, OneOrSum{{unit::torque}}, optional_only_if(turns, kOfLever),
+     "At the lever; > 0 holds it back against growing angles");
   io("friction_force", l.friction_force, Quantity{unit::force, not_negative}, "Dry friction of the guides");
   io("damping", l.damping, Quantity{unit::damping, not_negative}, "Force over speed");
 }
@@ -1514,6 +1544,7 @@ void fields(const Fields& io, ResponseInput::Start& s) {
   io("position", s.position, Quantity{unit::length}, "Of the load");
   io("speed", s.speed, Quantity{unit::travel_speed}, "Of the load, and of the motor over the lead");
   io("deflection", s.deflection, Quantity{unit::length}, "Of the screw; that of the external force by default");
+  io("angle", s.angle, Quantity{unit::angle, unbounded, "60 deg"}, "Between base and arm of a lever, at `position`");
 }
 
 void fields(const Fields& io, ResponseInput::Curves& c) {

@@ -34,5 +34,7 @@ void fields(const Fields& io, MeasureOptions& measures);
 void fields(const Fields& io, Limits& limits);
 void fields(const Fields& io, DriveMotor& motor);
 void fields(const Fields& io, MotorDuty& duty);
+void fields(const Fields& io, PrsLinkage& linkage);
+void fields(const Fields& io, Preload& preload);
 
 }  // namespace prs::input

@@ -129,6 +129,14 @@ constexpr Unit kStopDamping[] = {{{"s/m"}}, {{"s/mm"}, 1e3}, {{"s/in"}, 1.0 / kI
 
 constexpr Unit kPositionGain[] = {{{"1/s", "s^-1"}}};
 
+constexpr Unit kTorqueConstant[] = {{{"N m/A", "Nm/A", "N*m/A"}}, {{"mN m/A", "mNm/A", "mN*m/A"}, 1.0, 1e3}};
+
+constexpr Unit kResistance[] = {{{"Ohm", "ohm", "Ω"}}, {{"mOhm", "mohm", "mΩ"}, 1.0, 1e3}};
+
+constexpr Unit kVoltage[] = {{{"V"}}, {{"mV"}, 1.0, 1e3}};
+
+constexpr Unit kCurrent[] = {{{"A"}}, {{"mA"}, 1.0, 1e3}};
+
 }  // namespace
 
 namespace unit {
@@ -161,6 +169,10 @@ const Dimension damping{"a damping", "200 N s/m", "N s/m", kDamping};
 const Dimension stop_damping{"a damping of a stop", "0.2 s/m", "s/m", kStopDamping};
 const Dimension position_gain{"a position gain", "80 1/s", "1/s", kPositionGain};
 const Dimension power{"a power", "50 W", "W", kPower};
+const Dimension torque_constant{"a torque constant", "0.5 N m/A", "N m/A", kTorqueConstant};
+const Dimension resistance{"a resistance", "0.8 Ohm", "Ohm", kResistance};
+const Dimension voltage{"a voltage", "48 V", "V", kVoltage};
+const Dimension current{"a current", "15 A", "A", kCurrent};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
 const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)", kThermalConductivity};
@@ -204,7 +216,11 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::damping,
                                             &unit::stop_damping,
                                             &unit::position_gain,
-                                            &unit::power};
+                                            &unit::power,
+                                            &unit::torque_constant,
+                                            &unit::resistance,
+                                            &unit::voltage,
+                                            &unit::current};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

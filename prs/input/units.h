@@ -89,6 +89,10 @@ extern const Dimension damping;
 extern const Dimension stop_damping;
 extern const Dimension position_gain;
 extern const Dimension power;
+extern const Dimension torque_constant;
+extern const Dimension resistance;
+extern const Dimension voltage;
+extern const Dimension current;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

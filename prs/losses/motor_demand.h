@@ -16,10 +16,23 @@ std::optional<double> screw_torque(const LoadCaseResult& r, double lead);
 /// Torque for an efficiency of the driving side.
 double screw_torque(double force, double lead, DrivenBy driven_by, double efficiency);
 
+/// Demand on current and voltage of the equivalent direct-current motor, SI units:
+///
+///     I = T_M/K,   U = R I + K omega_M,   P = U I
+struct ElectricDemand {
+  double rms_current = 0.0, peak_current = 0.0;
+  // Values that need a resistance.
+  std::optional<double> peak_voltage = {}, copper_loss = {};
+  std::optional<double> energy = {};         ///< Net energy of a cycle [J].
+  std::optional<double> regenerated = {};    ///< Energy of a cycle that flows back, integral of -min(P, 0) [J].
+  std::optional<double> voltage_speed = {};  ///< Motor's speed at which the supply's voltage drives the largest torque.
+};
+
 /// Demand of a cycle on the motor. SI units.
 struct MotorDemand {
   std::vector<double> torque;  ///< Torque of the motor in each step [N m].
   double rms_torque = 0.0, peak_torque = 0.0, peak_power = 0.0, regenerated_mean = 0.0, regenerated_peak = 0.0;
+  std::optional<ElectricDemand> electric;  ///< Present with a torque constant.
 };
 
 /// A step with its torque at the turning part [N m].

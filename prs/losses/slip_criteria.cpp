@@ -123,7 +123,8 @@ std::optional<MotorDemand> demand_of(const MotorDuty& duty, const Result* slip, 
     const LoadCaseResult* const loaded = named(*slip, step.load_case);
     const std::optional<double> torque = loaded ? screw_torque(*loaded, lead) : 0.0;
     if (!torque) return std::nullopt;
-    steps.push_back({step, loaded ? *torque * std::abs(step.force / loaded->load_case.axial_force) : 0.0});
+    const double force = loaded ? loaded->load_case.axial_force : 0.0;
+    steps.push_back({step, force != 0.0 ? *torque * std::abs(step.force / force) : *torque});
   }
   return motor_demand(steps, duty.motor, lead, *inertia, duty.drag_torque, duty.brake_torque || locks(slip, duty));
 }
@@ -162,19 +163,34 @@ std::vector<FoundCriterion> motor_criteria(const Case& c, const MotorDuty& duty,
   if (speed.applies) speed.take(per_speed * largest * "rpm"_per_si, "");
   if (duty.motor.largest_speed) speed.limit = *duty.motor.largest_speed * "rpm"_per_si;
   brake.applies = duty.holding_force > 0.0;
-  if (brake.applies) brake.take(duty.holding_force / per_speed, "");
-  brake.limit = duty.brake_torque;
+  if (duty.brake_torque) {
+    brake.limit = 1.0;
+    if (brake.applies)
+      brake.take(*duty.brake_torque / (duty.brake_safety * duty.holding_force / per_speed), "",
+                 fmt::format("with a safety of {:g}", duty.brake_safety));
+  }
   std::vector<FoundCriterion> all{speed, brake};
   if (!slip && !why) return all;
   const std::string reason = !slip ? *why : "a step has no slip, or the parts no inertia";
   FoundCriterion rms("motor_torque", reason), peak("motor_peak_torque", reason);
-  if (const std::optional<MotorDemand> demand = demand_of(duty, slip, lead, inertia)) {
+  const std::optional<MotorDemand> demand = demand_of(duty, slip, lead, inertia);
+  if (demand) {
     rms.take(demand->rms_torque, "", "rms over motor.cycle");
     peak.take(demand->peak_torque, "", "motor.cycle");
   }
+  FoundCriterion voltage("motor_voltage", duty.motor.resistance ? reason : "add motor.resistance"),
+      current("motor_current", reason), rms_current("motor_rms_current", reason);
+  if (demand && demand->electric) {
+    voltage.take(demand->electric->peak_voltage, "", "motor.cycle");
+    current.take(demand->electric->peak_current, "", "motor.cycle");
+    rms_current.take(demand->electric->rms_current, "", "rms over motor.cycle");
+  }
   rms.limit = duty.motor.rated_torque;
   peak.limit = duty.motor.peak_torque;
-  all.insert(all.end(), {rms, peak});
+  voltage.limit = duty.motor.supply.voltage;
+  current.limit = duty.motor.supply.current;
+  rms_current.limit = duty.motor.continuous_current;
+  all.insert(all.end(), {rms, peak, voltage, current, rms_current});
   if (duty.back_driving == BackDriving::allowed) return all;
   FoundCriterion back("back_driving");
   back.standing = locks(slip, duty) == (duty.back_driving == BackDriving::forbidden) ? Standing::green : Standing::red;

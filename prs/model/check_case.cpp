@@ -108,10 +108,16 @@ std::vector<Problem> missing(const Case& c, Command command) {
   return std::move(problems).take();
 }
 
-std::string wrong_peak_torque(const DriveMotor& m) {
-  if (!m.rated_torque || !m.peak_torque || *m.peak_torque >= *m.rated_torque) return {};
-  return fmt::format("got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check the units",
-                     *m.peak_torque, *m.rated_torque);
+std::vector<Problem> check_drive_motor(const DriveMotor& m) {
+  Problems problems;
+  if (m.rated_torque && m.peak_torque && *m.peak_torque < *m.rated_torque)
+    problems.add("motor.peak_torque",
+                 "got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check the units",
+                 *m.peak_torque, *m.rated_torque);
+  if (m.supply.voltage && !m.resistance)
+    problems.add("motor.resistance", "missing; expected that of the winding beside `supply.voltage`; add {}",
+                 "`resistance: 0.8 Ohm`");
+  return std::move(problems).take();
 }
 
 std::vector<Problem> check_motor(const MotorDuty& duty, const Conditions& c) {
@@ -120,7 +126,7 @@ std::vector<Problem> check_motor(const MotorDuty& duty, const Conditions& c) {
     if (name && std::ranges::find(c.load_cases, *name, &LoadCase::name) == c.load_cases.end())
       problems.add(path, "got `{}`, which no load case is called; expected a name of `load_cases`; rename it", *name);
   };
-  if (const std::string wrong = wrong_peak_torque(duty.motor); !wrong.empty()) problems.add("motor.peak_torque", wrong);
+  for (Problem& wrong : check_drive_motor(duty.motor)) problems.add(std::move(wrong.path), std::move(wrong.message));
   require("motor.driven_back", duty.driven_back);
   for (std::size_t k = 0; k < duty.cycle.size(); ++k)
     require(fmt::format("motor.cycle[{}].load_case", k), duty.cycle[k].load_case);

@@ -12,10 +12,17 @@ struct DriveMotor {
   double inertia = 0.0;                             ///< Inertia at the motor's shaft, gear included [kg m^2].
   double gear_ratio = 1.0;                          ///< Turns of the motor per turn of the screw.
   double gear_efficiency = 1.0;
+  std::optional<double> torque_constant;     ///< Constant K of the equivalent direct-current motor [N m/A].
+  std::optional<double> resistance;          ///< Resistance of its winding [Ohm].
+  std::optional<double> continuous_current;  ///< Largest rms current [A].
+  struct Supply {
+    std::optional<double> voltage, current;  ///< Largest magnitudes [V], [A].
+  };
+  Supply supply;
 };
 
-/// Reason why the peak torque of a motor is impossible; empty if it is possible.
-std::string wrong_peak_torque(const DriveMotor& motor);
+/// Contradictions between the values of a motor under `motor`.
+std::vector<Problem> check_drive_motor(const DriveMotor& motor);
 
 enum class BackDriving { allowed, required, forbidden };
 
@@ -33,6 +40,7 @@ struct MotorDuty {
   };
   DriveMotor motor;
   std::optional<double> brake_torque;  ///< Torque that holds the axis at rest, at the motor's shaft [N m].
+  double brake_safety = 1.5;           ///< Least brake torque over the torque of the largest force at rest.
   double drag_torque = 0.0;            ///< Torque against the motion, at the turning part [N m].
   double holding_force = 0.0;          ///< Largest force at rest [N].
   BackDriving back_driving = BackDriving::allowed;

@@ -34,7 +34,7 @@ void ResponseInput::for_each_signal(const std::function<void(const std::string&,
   if (motor.controller && motor.controller->speed) use("response.motor.controller.speed", *motor.controller->speed);
   if (motor.controller && motor.controller->position)
     use("response.motor.controller.position", *motor.controller->position);
-  use("response.load.force", load.force);
+  load.linkage ? use("response.load.torque", load.torque) : use("response.load.force", load.force);
 }
 
 namespace {
@@ -107,6 +107,18 @@ void check_inertia(const ResponseInput& r, Problems& problems) {
   }
 }
 
+void check_lever(const ResponseInput& r, Problems& problems) {
+  if (r.load.linkage && !r.start.angle)
+    problems.add_missing("response.start.angle", "the angle of the lever at `start.position`", "60 deg");
+  else if (r.start.angle && !r.load.linkage)
+    problems.add("response.start.angle", "belongs to a lever; expected it with `load.linkage` alone; delete it");
+  else if (r.start.angle && prs_is_dead_centre(*r.start.angle))
+    problems.add(
+        "response.start.angle",
+        "got {:.6g} deg; expected an angle from 1 to 179 deg, off the dead centres at 0 and 180 deg; change it",
+        *r.start.angle * "deg"_per_si);
+}
+
 void check_motor(const ResponseInput& r, Problems& problems) {
   const ResponseInput::Motor& m = r.motor;
   const int drives = m.torque.has_value() + m.speed.has_value() + m.controller.has_value();
@@ -127,6 +139,7 @@ void check_response(const Case& c, Problems& problems) {
   ResponseInput r = *c.response;
   const double reach = c.mechanism.lead / kTurn;
   check_motor(r, problems);
+  check_lever(r, problems);
   r.for_each_signal([&](const std::string& path, const Signal& signal) {
     if (signal.many.empty()) return check_term(path, signal.one, problems);
     for (std::size_t k = 0; k < signal.many.size(); ++k)
@@ -157,7 +170,7 @@ void check_response(const Case& c, Problems& problems) {
     problems.add("response.settling.after",
                  "got {:.6g} s; expected a time before the end, {:.6g} s; take an earlier one", r.settling->after,
                  r.duration);
-  const bool knows_load = !has_file(r.load.force);
+  const bool knows_load = !has_file(r.load.acting());
   const bool is_prescribed = r.motor.speed && !r.motor.torque && !r.motor.controller;
   if (is_prescribed && !has_file(*r.motor.speed)) check_prescribed(r, reach, problems);
   if (const auto& f = r.frequency_response) {
@@ -172,7 +185,7 @@ void check_response(const Case& c, Problems& problems) {
                    r.motor.speed ? "a prescribed speed" : "a held screw");
     const bool is_open = !c.preload || c.preload->backlash;
     if (is_open && (f->force || knows_load) &&
-        f->force.value_or(BoundSignal(r.load.force.terms()).at(0.0).value) == 0.0)
+        f->force.value_or(BoundSignal(r.load.acting().terms()).at(0.0).value) == 0.0)
       problems.add("response.frequency_response.force",
                    "got 0 N, where flanks do not touch; expected a force other than 0 without a preload{}; write for "
                    "example `force: 1 kN`",

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "modules/drive/drive.h"
 #include "modules/drive/signal.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
@@ -59,6 +60,11 @@ struct ResponseInput {
   struct Load {
     double mass = 0.0, friction_force = 0.0, damping = 0.0;
     Signal force;
+    std::optional<PrsLinkage> linkage;  ///< Linkage of a lever, with inertia and torque in place of mass and force.
+    double inertia = 0.0;               ///< [kg m^2]
+    Signal torque;                      ///< Torque against growing angles [N m].
+
+    const Signal& acting() const { return linkage ? torque : force; }
   };
   struct MaterialDamping {
     std::optional<double> time, loss_factor, at_frequency;
@@ -78,6 +84,7 @@ struct ResponseInput {
   struct Start {
     double position = 0.0, speed = 0.0;
     std::optional<double> deflection;
+    std::optional<double> angle;  ///< Angle of a lever at `position` [rad].
   };
   struct Curves {
     std::optional<double> force, speed;

@@ -73,6 +73,8 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_um", "µm", 1e6, "µin", 1e6 * kPerInch},
     {"_nm", "nm", 1e9, "µin", 1e6 * kPerInch},
     {"_W", "W", 1.0},
+    {"_A", "A", 1.0},
+    {"_V", "V", 1.0},
     {"_K", "K", 1.0},
     {"_N", "N", 1.0, "lbf", kPerPoundForce},
     {"_J", "J", 1.0},

@@ -2,6 +2,7 @@
 #include "prs/life/analyze_life.h"
 #include "prs/losses/motor_demand.h"
 #include "prs/measures/measures.h"
+#include "prs/preload/preloaded_mechanism.h"
 #include "prs/size/size.h"
 #include "prs/slip/slip.h"
 
@@ -28,7 +29,7 @@ Branch branch_by_slip(const LoadCaseResult& r, double lead) {
   const SlipResult& slip = *r.slip;
   Branch b;
   b.driven_by = slip.driven_by;
-  b.efficiency = slip.efficiency;
+  if (r.load_case.axial_force > 0.0) b.efficiency = slip.efficiency;
   b.power_loss = slip.power.total();
   b.heat = heat_of(slip.power);
   b.torque = screw_torque(r, lead);
@@ -83,6 +84,7 @@ class Evaluation {
     find_measures();
     find_losses();
     if (!by_maker()) warm_parts();
+    find_no_load_torque();
     find_lives();
     find_stiffness();
     find_torques();
@@ -158,6 +160,16 @@ class Evaluation {
                              "place, if it prints one"});
   }
 
+  /// Computes the torque of the preload without load, at the mean speed.
+  void find_no_load_torque() {
+    if (!sized_.c.preload) return;
+    c_.preload_force = sized_.c.preload->force;
+    Conditions idle = sized_.c;
+    idle.load_cases = {sized_.c.load_cases[sized_.back_driving()]};
+    idle.load_cases.front().axial_force = 0.0;
+    c_.no_load_torque = screw_torque(analyze_slip(idle, contacts_, kManyDesigns).load_cases.front(), lead_);
+  }
+
   /// Computes the stiffness under the load case with the largest force, at rest, in series with the shaft.
   void find_stiffness() {
     std::size_t largest = sized_.back_driving();
@@ -167,7 +179,9 @@ class Evaluation {
         largest = k;
     Conditions at_rest = sized_.c;
     at_rest.load_cases = {sized_.c.load_cases[largest]};
-    const std::optional<double> nut = analyze(at_rest, contacts_, kManyDesigns).load_cases.front().axial_stiffness;
+    const std::optional<double> nut =
+        at_rest.preload ? FlankSolver(at_rest, contacts_).solve(at_rest.load_cases.front()).axial_stiffness
+                        : analyze(at_rest, contacts_, kManyDesigns).load_cases.front().axial_stiffness;
     if (nut && measures_.shaft_stiffness) c_.stiffness = 1.0 / (1.0 / *nut + 1.0 / *measures_.shaft_stiffness);
   }
 
@@ -178,15 +192,15 @@ class Evaluation {
     bool has_losses = true, has_heat = r_.heat && r_.losses == Requirement::Losses::slip, has_eta = true;
     for (const MotionSegment& s : cycle_.all) {
       const Branch& b = branches_[s.shown_as];
-      if (!b.driven_by || s.force == 0.0) continue;
+      if (!b.driven_by) continue;
       // Time for which the losses of the branch do the work of this segment [s].
       const MotionSegment& of = cycle_.shown[s.shown_as];
-      const double weight = s.work() / of.work() * of.duration;
+      const double weight = s.force == 0.0 ? s.duration : s.work() / of.work() * of.duration;
       has_losses = has_losses && b.power_loss;
       has_heat = has_heat && b.heat;
       if (b.power_loss) lost += *b.power_loss * weight;
       if (b.heat) heat += *b.heat * weight;
-      if (b.driven_by != DrivenBy::screw) continue;
+      if (b.driven_by != DrivenBy::screw || s.force == 0.0) continue;
       drives_ = true;
       has_eta = has_eta && b.efficiency;
       work += s.work();
@@ -222,24 +236,29 @@ class Evaluation {
     c_.brake_needed = cycle_.holding_force > 0.0 && !locks();
     if (cycle_.moves()) c_.motor_largest_speed = ratio * per_speed * cycle_.largest_speed;
     if (motor.inertia > 0.0 && c_.inertia)
-      c_.inertia_ratio = (*c_.inertia + r_.load.moved_mass / (per_speed * per_speed)) / (ratio * ratio * motor.inertia);
+      c_.inertia_ratio = (*c_.inertia + cycle_.moved_mass / (per_speed * per_speed)) / (ratio * ratio * motor.inertia);
+    if (c_.back_driving_efficiency && !locks())
+      c_.back_driving_force =
+          (sized_.drag_torque + c_.no_load_torque.value_or(0.0)) * per_speed / *c_.back_driving_efficiency;
     if (!c_.inertia) return;
+    c_.reflected_mass = (*c_.inertia + ratio * ratio * motor.inertia) * per_speed * per_speed;
     std::vector<DrivenStep> steps;
     for (const MotionSegment& m : cycle_.all) {
       const MotorDuty::Step step = motor_step(m);
       const Branch& b = branches_[m.shown_as];
       if (!b.torque && m.sense() != 0) return;
-      const bool loaded = m.force != 0.0 && b.driven_by && b.torque;
-      steps.push_back({step, loaded ? *b.torque * std::abs(m.force / cycle_.shown[m.shown_as].force) : 0.0});
+      const double own = m.force == 0.0 ? 1.0 : std::abs(m.force / cycle_.shown[m.shown_as].force);
+      steps.push_back({step, b.driven_by ? *b.torque * own : 0.0});
     }
     const MotorDemand demand =
-        motor_demand(steps, motor, lead_, *c_.inertia, r_.load.drag_torque, r_.brake_torque || locks());
+        motor_demand(steps, motor, lead_, *c_.inertia, sized_.drag_torque, r_.brake_torque || locks());
     for (std::size_t k = 0; !cycle_.in_classes && k < steps.size(); ++k) c_.segments[k].motor_torque = demand.torque[k];
     c_.motor_rms_torque = demand.rms_torque;
     c_.motor_peak_torque = demand.peak_torque;
     c_.motor_peak_power = demand.peak_power;
     c_.regenerated_mean = demand.regenerated_mean;
     c_.regenerated_peak = demand.regenerated_peak;
+    c_.electric = demand.electric;
   }
 
   void find_relubrication() {
@@ -334,12 +353,30 @@ class Evaluation {
     at_most("motor_speed", "rpm", {c_.motor_largest_speed, m.largest_speed, rests});
     at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency});
     at_most("motor_peak_torque", "N m", {c_.motor_peak_torque, m.peak_torque, "", no_efficiency});
-    at_most("brake", "N m", {c_.holding_torque, r_.brake_torque, cycle_.holding_force > 0.0 ? "" : "no force at rest"});
+    judge_current(no_efficiency);
+    if (r_.brake_torque)
+      at_least("brake", "",
+               {*r_.brake_torque / (r_.brake_safety * *c_.holding_torque), 1.0,
+                cycle_.holding_force > 0.0 ? "" : "no force at rest", "",
+                fmt::format("{:.4g} N m to hold, with a safety of {:g}", *c_.holding_torque, r_.brake_safety)});
     at_least(
         "relubrication", "h",
         {c_.relubrication, l.relubrication, cycle_.moves() ? no_load : rests, "the mean load is too high for the rule",
          r_.relubrication ? "" : "without the actuator's peak force: its factor is 1"});
     decide();
+  }
+
+  void judge_current(std::string_view why_not) {
+    const DriveMotor& m = r_.motor;
+    const ElectricDemand e = c_.electric.value_or(ElectricDemand{});
+    const auto known = [&](double value) { return c_.electric ? std::optional(value) : std::nullopt; };
+    at_most("motor_voltage", "V",
+            {e.peak_voltage, m.supply.voltage, "", why_not,
+             e.voltage_speed ? fmt::format("under the largest torque the voltage ends at {:.0f} rpm of the motor",
+                                           *e.voltage_speed * "rpm"_per_si)
+                             : ""});
+    at_most("motor_current", "A", {known(e.peak_current), m.supply.current, "", why_not});
+    at_most("motor_rms_current", "A", {known(e.rms_current), m.continuous_current, "", why_not});
   }
 
   void judge_back_driving() {
@@ -376,6 +413,9 @@ class Evaluation {
                             "for it",
                             "take a larger screw"}
                         .with(*cycle_.mean_load, 0.5 * capacity(), "kN"_unit));
+    if (by_maker() && r_.preload)
+      all.push_back({"life.basis", "maker_without_preload", "the formulas of catalogues have the life without preload",
+                     "write `basis: threads`, which has the loads of both flanks"});
     if (cycle_.largest_force > kRegularLoad * capacity())
       all.push_back(Warning{"motion", "largest_force",
                             "the largest force, {value}, is beyond 0.9 C_a, {limit}, which a maker does not allow "
@@ -458,7 +498,7 @@ namespace {
 /// Mean load of the cycle at which a limit of its mean is just reached, if the candidate has the criterion [N].
 std::optional<double> allowed_mean_load(const SizedCandidate& c, std::string_view limit, double mean_load) {
   const std::string_view name = limit == "motor_rated" ? "motor_torque" : limit;
-  if (name == "static" || name == "buckling") return std::nullopt;
+  if (name == "static" || name == "buckling" || name == "motor_voltage") return std::nullopt;
   const auto found = std::ranges::find(c.criteria, name, &SizeCriterion::name);
   if (found == c.criteria.end() || !found->margin) return std::nullopt;
   return mean_load * (name == "life" ? std::cbrt(*found->margin) : *found->margin);
@@ -473,6 +513,9 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
   double top = *r.limits.speed_times_diameter / c.screw.screw_diameter * lead;
   if (c.critical_speed) top = std::min(top, *r.limits.critical_speed_share * *c.critical_speed * lead / kTurn);
   if (r.motor.largest_speed) top = std::min(top, *r.motor.largest_speed / r.motor.gear_ratio * lead / kTurn);
+  const bool has_voltage = r.motor.supply.voltage && c.electric;
+  if (has_voltage)
+    top = std::min(top, *r.motor.supply.voltage / *r.motor.torque_constant / r.motor.gear_ratio * lead / kTurn);
 
   SizedCase sized = sized_case(in, c);
   const LoadCase load = sized.c.load_cases[sized.back_driving()];
@@ -513,10 +556,19 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
                           force * (*r.limits.temperature - r.heat->ambient) / (warmest - r.heat->ambient));
     }
     const auto by_motor = [&](double torque) {
-      return (torque * r.motor.gear_ratio * r.motor.gear_efficiency - r.load.drag_torque) * kTurn * eta / lead;
+      return (torque * r.motor.gear_ratio * r.motor.gear_efficiency - sized.drag_torque) * kTurn * eta / lead;
     };
     if (c.motor_rms_torque && r.motor.rated_torque) limits.emplace_back("motor_rated", by_motor(*r.motor.rated_torque));
     if (c.motor_peak_torque && r.motor.peak_torque) limits.emplace_back("motor_peak", by_motor(*r.motor.peak_torque));
+    if (!c.electric) return limits;
+    const double constant = *r.motor.torque_constant;
+    if (r.motor.continuous_current)
+      limits.emplace_back("motor_rms_current", by_motor(constant * *r.motor.continuous_current));
+    if (r.motor.supply.current) limits.emplace_back("motor_current", by_motor(constant * *r.motor.supply.current));
+    if (has_voltage) {
+      const double left = *r.motor.supply.voltage - constant * r.motor.gear_ratio * kTurn * v / lead;
+      limits.emplace_back("motor_voltage", std::max(0.0, by_motor(constant * left / *r.motor.resistance)));
+    }
     return limits;
   };
   double eta = kNone;
@@ -531,7 +583,7 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
       const auto& [name, value] = limits[n];
       curve.force[n].first = name;
       curve.force[n].second.push_back(value);
-      if (name == "motor_peak") continue;
+      if (name == "motor_peak" || name == "motor_current") continue;
       on_and_on[k] = std::fmin(on_and_on[k], value);
       const std::optional<double> allowed = allowed_mean_load(c, name, force);
       const double own = allowed ? value / at_mean[n].second * *allowed : value;

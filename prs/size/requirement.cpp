@@ -115,11 +115,30 @@ void alternatives(Choices& io, Requirement::Objective& o) {
   io("power_lost", o, power_lost, "least first");
 }
 
-void fields(const Fields& io, Requirement::Segment& s) {
+constexpr std::string_view kAlong = "without `linkage`", kOfLever = "only with `linkage`";
+
+/// Speed along the axis or of a lever.
+Quantity speed_of(bool is_lever) {
+  return is_lever ? Quantity{unit::rotational_speed, unbounded, "30 deg/s"} : Quantity{unit::travel_speed};
+}
+
+/// A block whose keys are those along the axis or those of a lever.
+struct BlockOf {
+  bool is_lever;
+};
+template <class T>
+Value value_of(T& block, const BlockOf& kind) {
+  return {map_of([&block, kind](const Fields& io) { fields(io, block, kind.is_lever); })};
+}
+
+void fields(const Fields& io, Requirement::Segment& s, bool is_lever) {
   io("name", s.name, Text{"lift"}, "`segment-K` by default, K from 1");
   io("duration", s.duration, Quantity{unit::duration, positive, "0.2 s"}, required, "Of constant acceleration");
-  io("end_speed", s.end_speed, Quantity{unit::travel_speed}, required, "Signed, at the end");
-  io("force", s.force, Quantity{unit::force}, "External, > 0 against the positive sense");
+  io("end_speed", s.end_speed, speed_of(is_lever), required, "Signed, at the end; with `linkage` of the lever");
+  io("force", s.force, Quantity{unit::force}, optional_only_if(!is_lever, kAlong),
+     "External, > 0 against the positive sense");
+  io("torque", s.torque, Quantity{unit::torque}, optional_only_if(is_lever, kOfLever),
+     "External, at the lever, > 0 against growing angles");
 }
 
 void fields(const Fields& io, Requirement::ConstantLoad& l) {
@@ -130,7 +149,7 @@ void fields(const Fields& io, Requirement::ConstantLoad& l) {
      "Of the time");
 }
 
-void fields(const Fields& io, Requirement::History& h) {
+void fields(const Fields& io, Requirement::History& h, bool is_lever) {
   io("file", h.file, Text{"cycle.csv"}, required,
      "Comma-separated values with a heading, one row per sample; relative to this file");
   const auto column = [](CsvColumn& c) {
@@ -140,26 +159,38 @@ void fields(const Fields& io, Requirement::History& h) {
     }};
   };
   io("time", h.time, column(h.time), required, "Time of the sample");
-  io("speed", h.speed, column(h.speed), required, "Signed, along the axis");
-  io("force", h.force, column(h.force), required, "External, > 0 against the positive sense");
+  io("speed", h.speed, column(h.speed), required_only_if(!is_lever, kAlong), "Signed, along the axis");
+  io("force", h.force, column(h.force), required_only_if(!is_lever, kAlong),
+     "External, > 0 against the positive sense");
+  io("angle", h.angle, column(h.angle), required_only_if(is_lever, kOfLever), "Of the lever, between base and arm");
+  io("torque", h.torque, column(h.torque), required_only_if(is_lever, kOfLever),
+     "External, at the lever, > 0 against growing angles");
 }
 
-void fields(const Fields& io, Requirement::Motion& m) {
-  io("segments", m.segments, List{Block{}, 1}, "Constant accelerations one after the other");
-  io("history", m.history, Block{}, "Samples from a file, in place of `segments`");
-  io("loads", m.loads, List{Block{}, 1}, "Constant speeds and their shares of time, in their place");
-  io("start_speed", m.start_speed, Quantity{unit::travel_speed},
-     optional_only_if(m.segments.has_value(), "with `segments`"), "Before the first segment");
+void fields(const Fields& io, Requirement::Motion& m, bool is_lever) {
+  io("segments", m.segments, List{BlockOf{is_lever}, 1}, "Constant accelerations one after the other");
+  io("history", m.history, BlockOf{is_lever}, "Samples from a file, in place of `segments`");
+  io("loads", m.loads, List{Block{}, 1}, optional_only_if(!is_lever, kAlong),
+     "Constant speeds and their shares of time, in their place");
+  io("start_speed", m.start_speed, speed_of(is_lever), optional_only_if(m.segments.has_value(), "with `segments`"),
+     "Before the first segment");
+  io("start_angle", m.start_angle, Quantity{unit::angle, unbounded, "60 deg"},
+     required_only_if(is_lever && m.segments.has_value(), "only with `linkage` and `segments`"),
+     "Of the lever before the first segment, between base and arm");
   io("period", m.period, Quantity{unit::duration, positive}, optional_only_if(m.loads.has_value(), "with `loads`"),
      "Of the cycle; scales numbers per cycle");
 }
 
-void fields(const Fields& io, Requirement::Load& l) {
+void fields(const Fields& io, Requirement::Load& l, bool is_lever) {
   constexpr double kRight = 0.5 * std::numbers::pi;
-  io("moved_mass", l.moved_mass, Quantity{unit::mass, not_negative, "50 kg"}, "Along the axis");
-  io("inclination", l.inclination, Quantity{unit::angle, {.least = -kRight, .greatest = kRight}},
+  const Presence along = optional_only_if(!is_lever, kAlong);
+  io("moved_mass", l.moved_mass, Quantity{unit::mass, not_negative, "50 kg"}, along, "Along the axis");
+  io("inertia", l.inertia, Quantity{unit::inertia, not_negative, "2 kg m^2"}, optional_only_if(is_lever, kOfLever),
+     "Of the lever about its joint");
+  io("inclination", l.inclination, Quantity{unit::angle, {.least = -kRight, .greatest = kRight}}, along,
      "Of the axis; > 0: the positive sense goes up");
-  io("guide_friction", l.guide_friction, Number{not_negative, "0.003"}, "Coefficient of the guides under the mass");
+  io("guide_friction", l.guide_friction, Number{not_negative, "0.003"}, along,
+     "Coefficient of the guides under the mass");
   io("resistance", l.resistance, Quantity{unit::force, not_negative, "20 N"},
      "Constant, against the motion, as of seals");
   io("drag_torque", l.drag_torque, Quantity{unit::torque, not_negative},
@@ -208,6 +239,12 @@ void fields(const Fields& io, Requirement::Conductance& c) {
   io("rollers_nut", c.rollers_nut, conductance, "The same");
 }
 
+void fields(const Fields& io, Requirement::Catalogue& c) {
+  io("file", c.file, Text{"standard_screws.csv"}, required,
+     "Comma-separated values, a screw per row; relative to this file");
+  io("source", c.source, Text{"\"maker A\""}, "Of its rows, in the list of candidates; by default the file");
+}
+
 void fields(const Fields& io, Requirement::Designs& d) {
   const Quantity length{unit::length, positive, "30 mm"};
   const Number starts{{.least = 2.0, .greatest = 100.0}, "5"};
@@ -218,9 +255,10 @@ void fields(const Fields& io, Requirement::Designs& d) {
 }
 
 void fields(const Fields& io, Requirement& r) {
-  io("motion", r.motion, Block{"{loads: [{force: 12 kN, speed: 200 mm/s, share: 100 %}]}"}, required,
-     "One cycle, which is repeated");
-  io("load", r.load, Block{}, "What moves, and what resists");
+  const bool is_lever = r.linkage.has_value();
+  io("linkage", r.linkage, Block{}, "Of a lever that the screw turns: `motion` then has its angle and torque");
+  io("motion", r.motion, BlockOf{is_lever}, required, "One cycle, which is repeated");
+  io("load", r.load, BlockOf{is_lever}, "What moves, and what resists");
   io("stroke", r.stroke, Quantity{unit::length, positive, "650 mm"},
      "By default the way between the extreme positions of the cycle");
   io("measures", r.measures, Keys{[&](const Fields& measures) {
@@ -233,8 +271,16 @@ void fields(const Fields& io, Requirement& r) {
   io("motor", r.motor, Block{}, "Without a limit there is no criterion");
   io("brake", r.brake_torque, Keys{[&](const Fields& brake) {
        brake("torque", *r.brake_torque, Quantity{unit::torque, positive, "4 N m"}, required, "At the motor's shaft");
+       brake("safety", r.brake_safety, Number{positive, "1.5"}, "Least torque over the holding torque");
      }},
      "Holds the axis at rest");
+  io("preload", r.preload, Keys{[&](const Fields& of) {
+       of("force", r.preload->force, Quantity{unit::force, positive, "2 kN"}, "Of each flank without load");
+       of("share", r.preload->share,
+          Quantity{unit::share, {.least = 0.0, .greatest = 0.5, .least_excluded = true}, "5 %"},
+          "The same as a share of C_a, of the row or else Lemor's; in place of `force`");
+     }},
+     "Of a single nut with oversized rollers");
   io("losses", r.losses, Choice{}, "Where efficiencies come from");
   io("model", r.loads,
      Keys{[&](const Fields& model) { model("loads", r.loads, Choice{}, "Of the threads, for slip and life"); }},
@@ -257,11 +303,7 @@ void fields(const Fields& io, Requirement& r) {
      }},
      "Of the makers' rule for the interval");
   io("candidates", r.candidates, Keys{[&](const Fields& from) {
-       from("catalogue", r.candidates.catalogue, Keys{[&](const Fields& catalogue) {
-              catalogue("file", *r.candidates.catalogue, Text{"standard_screws.csv"}, required,
-                        "Comma-separated values, a screw per row; relative to this file");
-            }},
-            "Of a maker");
+       from("catalogue", r.candidates.catalogue, OneOrList{Block{}}, "Of a maker, or of several");
        from("designs", r.candidates.designs, Block{}, "All combinations, by the rules of `prs new`");
      }},
      "What is chosen from; by default the catalogue of the program");
@@ -283,7 +325,8 @@ void complete(Requirement& r) {
   }
   if (!r.lubricant->temperature && !r.lubricant->viscosity) r.lubricant->temperature = CaseLubricant{}.temperature;
   if (!r.roughness) r.roughness = {2e-7, 2e-7, 2e-7};
-  if (!r.life.basis) r.life.basis = r.candidates.designs ? Requirement::Basis::threads : Requirement::Basis::maker;
+  if (!r.life.basis)
+    r.life.basis = r.candidates.designs || r.preload ? Requirement::Basis::threads : Requirement::Basis::maker;
 }
 
 /// Checks contradictions between values.
@@ -295,7 +338,10 @@ class Checker {
     check_motion();
     if (r_.life.hours && r_.life.distance)
       refuse("life.distance", "stands next to `hours`; expected one of them; delete one");
-    if (const std::string wrong = wrong_peak_torque(r_.motor); !wrong.empty()) refuse("motor.peak_torque", "{}", wrong);
+    for (const Problem& wrong : check_drive_motor(r_.motor)) refuse(wrong.path, "{}", wrong.message);
+    if (r_.preload && r_.preload->force.has_value() == r_.preload->share.has_value())
+      refuse("preload", "got {}; expected exactly one of force, share; write `{{share: 5 %}}`, for example",
+             r_.preload->force ? "both" : "neither");
     const double ambient = r_.heat.value_or(Requirement::Surroundings{}).ambient;
     if (r_.limits.temperature && !(*r_.limits.temperature > ambient))
       refuse("limits.temperature",
@@ -323,9 +369,9 @@ class Checker {
                shown(s.name));
     }
     if (cycle.largest_force == 0.0)
-      refuse(form,
-             "got no force in the whole cycle; expected one; add `force: 10 kN` to a segment or "
-             "`load: {{moved_mass: 50 kg}}`, for example");
+      refuse(form, "got no force in the whole cycle; expected one; add {}, for example",
+             r_.linkage ? "`torque: 2 kN m` to a segment or `load: {inertia: 50 kg m^2}`"
+                        : "`force: 10 kN` to a segment or `load: {moved_mass: 50 kg}`");
     if (r_.stroke && !m.loads && *r_.stroke < cycle.way * (1.0 - 1e-9))
       refuse("stroke",
              "got {:.7g} mm; expected at least the way between the extreme positions of the cycle, "
@@ -431,6 +477,129 @@ std::vector<MotionSegment> history_segments(const Requirement::History& h, const
   return segments;
 }
 
+/// A lever at an instant. SI units.
+struct LeverSample {
+  double time = 0.0, angle = 0.0, speed = 0.0, torque = 0.0;
+};
+
+/// Motion of the axis between two samples of a lever: the torque M and the inertia J give the force
+/// (M + J theta'')/g, the mean of both ends.
+MotionSegment between(const Requirement& r, std::string name, const LeverSample& a, const LeverSample& b) {
+  const PrsLever from = prs_lever(&*r.linkage, a.angle), to = prs_lever(&*r.linkage, b.angle);
+  const double duration = b.time - a.time, inertia = r.load.inertia * (b.speed - a.speed) / duration;
+  MotionSegment s{std::move(name), duration, from.ratio * a.speed, to.ratio * b.speed,
+                  0.5 * ((a.torque + inertia) / from.ratio + (b.torque + inertia) / to.ratio)};
+  const double travel = to.length - from.length;
+  if (s.start_speed * s.end_speed >= 0.0 && travel * (s.start_speed + s.end_speed) >= 0.0) s.own_travel = travel;
+  return s;
+}
+
+/// Speed at the middle one of three samples by a parabola; 0 beside a rest.
+double middle_speed(double before, double behind, double h0, double h1) {
+  return before == 0.0 || behind == 0.0 ? 0.0 : (before * h1 + behind * h0) / (h0 + h1);
+}
+
+/// Samples of a file, in runs of equal times; their speeds are those of parabolas through three times.
+std::vector<LeverSample> lever_history(const Requirement::History& h, const Source& source) {
+  std::vector<double> t, angle, torque;
+  std::vector<WantedColumn> columns{{"time", &h.time, &unit::duration, &t},
+                                    {"angle", &h.angle, &unit::angle, &angle},
+                                    {"torque", &h.torque, &unit::torque, &torque}};
+  read_columns(named_file_text(h.file, kHistoryFile, source), name_in_messages(h.file, source), "motion.history",
+               columns, source);
+  const auto refuse = [&](std::size_t row, std::string_view what) {
+    fail_at(source, "motion.history.angle", "got {:.6g} deg in row {} of {}, {}", angle[row] * "deg"_per_si, row + 1,
+            h.file, what);
+  };
+  constexpr double kRounding = 1e-9;
+  std::vector<std::size_t> first;  // First row of each time.
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    if (prs_is_dead_centre(angle[k]))
+      refuse(k, "a dead centre; expected angles from 1 to 179 deg; check the column, its unit, base and arm");
+    if (k == 0 || t[k] > t[k - 1])
+      first.push_back(k);
+    else if (std::abs(angle[k] - angle[k - 1]) > kRounding)
+      refuse(k, "another angle at the same time; expected one; delete one of the rows");
+  }
+  if (first.size() < 2)
+    fail_at(source, kHistoryFile,
+            "got {}, whose samples all have one time; expected a time that runs; check the column", h.file);
+  const std::size_t last = first.size() - 1;
+  std::vector<double> step, slope, speed(first.size());
+  for (std::size_t k = 0; k < last; ++k) {
+    const double turned = angle[first[k + 1]] - angle[first[k]];
+    step.push_back(t[first[k + 1]] - t[first[k]]);
+    slope.push_back(std::abs(turned) > kRounding ? turned / step[k] : 0.0);
+  }
+  for (std::size_t k = 1; k < last; ++k) speed[k] = middle_speed(slope[k - 1], slope[k], step[k - 1], step[k]);
+  speed[0] = slope[0] == 0.0 || last == 1 ? slope[0] : 2.0 * slope[0] - speed[1];
+  speed[last] = slope[last - 1] == 0.0 || last == 1 ? slope[last - 1] : 2.0 * slope[last - 1] - speed[last - 1];
+  std::vector<LeverSample> all;
+  for (std::size_t k = 0, of = 0; k < t.size(); ++k) {
+    if (of < last && k == first[of + 1]) ++of;
+    all.push_back({t[k], angle[k], speed[of], torque[k]});
+  }
+  return all;
+}
+
+/// The motion along the axis of a lever, and the angles between which it turns.
+struct LeverSegments {
+  std::vector<MotionSegment> segments;
+  std::array<double, 2> angles{HUGE_VAL, 0.0};
+
+  void include(double angle) { angles = {std::min(angles[0], angle), std::max(angles[1], angle)}; }
+};
+
+/// Stated segments in steps of at most 0.2 deg, cut where the lever turns back.
+LeverSegments stated_lever_segments(const Requirement& r, const Source& source) {
+  constexpr double kStep = 0.2 * std::numbers::pi / 180.0, kMostSteps = 2000.0;
+  LeverSegments motion;
+  LeverSample at{0.0, *r.motion.start_angle, r.motion.start_speed, 0.0};
+  for (std::size_t number = 0; number < r.motion.segments->size(); ++number) {
+    const Requirement::Segment& s = (*r.motion.segments)[number];
+    const std::string name = s.name.value_or(fmt::format("segment-{}", number + 1));
+    const LeverSample start = at;
+    const double rate = (s.end_speed - start.speed) / s.duration;
+    const double turns = start.speed * s.end_speed < 0.0 ? -start.speed / rate : s.duration;
+    const auto go_to = [&](double from, double to) {
+      const double way = (start.speed + 0.5 * rate * (from + to)) * (to - from);
+      const double steps = std::clamp(std::ceil(std::abs(way) / kStep), 1.0, kMostSteps);
+      for (double k = 1.0; k <= steps; ++k) {
+        const double t = from + (to - from) * k / steps;
+        LeverSample next{start.time + t, start.angle + (start.speed + 0.5 * rate * t) * t, start.speed + rate * t,
+                         s.torque};
+        if (t == turns && turns < s.duration) next.speed = 0.0;
+        if (prs_is_dead_centre(at.angle) || prs_is_dead_centre(next.angle))
+          fail_at(source, "motion.segments",
+                  "turns the lever to {:.6g} deg in {}, a dead centre; expected angles from 1 to 179 deg; change "
+                  "start_angle, speeds or durations",
+                  next.angle * "deg"_per_si, name);
+        at.torque = s.torque;
+        motion.segments.push_back(
+            between(r, steps == 1.0 ? name : fmt::format("{}-{}", name, motion.segments.size() + 1), at, next));
+        motion.include(at.angle), motion.include(next.angle);
+        at = next;
+      }
+    };
+    go_to(0.0, turns);
+    if (turns < s.duration) go_to(turns, s.duration);
+    at.speed = s.end_speed;
+  }
+  return motion;
+}
+
+LeverSegments all_lever_segments(const Requirement& r, const Source& source) {
+  if (!r.motion.history) return stated_lever_segments(r, source);
+  LeverSegments motion;
+  const std::vector<LeverSample> all = lever_history(*r.motion.history, source);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    motion.include(all[k].angle);
+    if (k > 0 && all[k].time > all[k - 1].time)
+      motion.segments.push_back(between(r, fmt::format("sample-{}", k), all[k - 1], all[k]));
+  }
+  return motion;
+}
+
 std::vector<MotionSegment> segments_of(const Requirement::Motion& m, const Source& source) {
   if (m.history) return history_segments(*m.history, source);
   std::vector<MotionSegment> segments;
@@ -473,7 +642,15 @@ Read read(const Source& source) {
   read.in.fields = echo_of(read.root, description(r));
   check_blocks(r, read.root, errors);
   errors.throw_if_any();
-  read.in.cycle = cycle_of(segments_of(r.motion, source), r);
+  if (r.linkage) {
+    LeverSegments motion = all_lever_segments(r, source);
+    const double ratio = prs_lever(&*r.linkage, 0.5 * (motion.angles[0] + motion.angles[1])).ratio;
+    read.in.cycle = cycle_of(std::move(motion.segments), r);
+    read.in.cycle.angles = motion.angles;
+    read.in.cycle.moved_mass = r.load.inertia / (ratio * ratio);
+  } else {
+    read.in.cycle = cycle_of(segments_of(r.motion, source), r);
+  }
   checker.check(read.in.cycle);
   errors.throw_if_any();
   if (!r.stroke && !r.motion.loads && read.in.cycle.way > 0.0) r.stroke = read.in.cycle.way;
@@ -492,6 +669,10 @@ std::string name(Requirement::Objective objective) {
   return input::text_of(input::value_of(objective, input::Choice{}));
 }
 
+std::string catalogue_file_key(const std::vector<Requirement::Catalogue>& all, std::size_t number) {
+  return all.size() == 1 ? std::string(kCatalogueFile) : fmt::format("candidates.catalogue[{}].file", number);
+}
+
 SizeInput read_requirement(const input::Source& source) { return input::read(source).in; }
 
 std::vector<std::string> requirement_files(const input::Source& source) {
@@ -499,14 +680,25 @@ std::vector<std::string> requirement_files(const input::Source& source) {
   std::vector<std::string> texts;
   if (const auto& history = r.motion.history)
     texts.push_back(input::named_file_text(history->file, kHistoryFile, source));
-  if (const auto& catalogue = r.candidates.catalogue)
-    texts.push_back(input::named_file_text(*catalogue, kCatalogueFile, source));
+  if (const auto& all = r.candidates.catalogue)
+    for (std::size_t k = 0; k < all->size(); ++k)
+      texts.push_back(input::named_file_text((*all)[k].file, catalogue_file_key(*all, k), source));
   return texts;
 }
 
 nlohmann::ordered_json requirement_schema() {
-  Requirement r;
-  return input::schema_of("Requirement of `prs size`", input::description(r));
+  using Pointer = nlohmann::ordered_json::json_pointer;
+  Requirement r, of_lever;
+  of_lever.linkage.emplace();
+  const auto schema = [](Requirement& one) {
+    return input::schema_of("Requirement of `prs size`", input::description(one));
+  };
+  nlohmann::ordered_json along = schema(r), lever = schema(of_lever);
+  for (const char* const speed : {"start_speed", "segments/items/properties/end_speed"}) {
+    const Pointer place(fmt::format("/properties/motion/properties/{}", speed));
+    along[place] = {{"anyOf", {along[place], lever[place]}}};
+  }
+  return along;
 }
 
 nlohmann::ordered_json resolved_requirement(const input::Source& source) {
@@ -534,6 +726,7 @@ std::vector<MotionSegment> cut(std::vector<MotionSegment> segments) {
     first.duration = s.duration * s.start_speed / (s.start_speed - s.end_speed);
     second.duration = s.duration - first.duration;
     first.end_speed = second.start_speed = 0.0;
+    first.own_travel = second.own_travel = std::nullopt;
     all.push_back(std::move(first));
     all.push_back(std::move(second));
   }
@@ -651,6 +844,7 @@ MotionCycle cycle_of(std::vector<MotionSegment> segments, const Requirement& r) 
   set_forces(c.all, r.load);
   set_totals(c, r);
   if (r.motion.loads) c.closed = true;
+  c.moved_mass = r.load.moved_mass;
   c.in_classes = c.all.size() > kMostShown;
   for (std::size_t k = 0; k < c.all.size(); ++k) c.all[k].shown_as = k;
   c.in_classes ? put_into_classes(c) : void(c.shown = c.all);

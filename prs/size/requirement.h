@@ -27,8 +27,9 @@ struct Requirement {
   struct Segment {
     std::optional<std::string> name;
     double duration = 0.0;   ///< [s]
-    double end_speed = 0.0;  ///< [m/s]
+    double end_speed = 0.0;  ///< [m/s], of a lever [rad/s].
     double force = 0.0;      ///< External force [N], > 0 against the positive sense.
+    double torque = 0.0;     ///< External torque at a lever, in its place [N m].
   };
   struct ConstantLoad {
     std::optional<std::string> name;
@@ -39,9 +40,11 @@ struct Requirement {
   struct History {
     std::string file;
     CsvColumn time{"time", ""}, speed{"speed", ""}, force{"force", ""};
+    CsvColumn angle{"angle", ""}, torque{"torque", ""};  ///< Columns of a lever, in place of speed and force.
   };
   struct Motion {
-    double start_speed = 0.0;  ///< [m/s]
+    double start_speed = 0.0;           ///< [m/s], of a lever [rad/s].
+    std::optional<double> start_angle;  ///< Angle of a lever before the first segment [rad].
     std::optional<std::vector<Segment>> segments;
     std::optional<History> history;
     std::optional<std::vector<ConstantLoad>> loads;
@@ -49,6 +52,7 @@ struct Requirement {
   };
   struct Load {
     double moved_mass = 0.0;   ///< [kg]
+    double inertia = 0.0;      ///< Inertia of a lever about its joint, in place of the mass [kg m^2].
     double inclination = 0.0;  ///< Angle [rad], > 0: the positive sense is upwards.
     double guide_friction = 0.0;
     double resistance = 0.0;   ///< Force against the motion [N].
@@ -99,12 +103,22 @@ struct Requirement {
     DesignValues screw_diameter, lead;
     std::optional<DesignValues> starts;  ///< By the rule of `prs new` if absent.
   };
+  struct Catalogue {
+    std::string file;
+    std::optional<std::string> source;  ///< Name that its rows have as their source; by default that of the file.
+  };
   struct Candidates {
-    std::optional<std::string> catalogue;  ///< Path of its file.
-    std::optional<Designs> designs;        ///< Designs; without these and a file: the catalogue of the program.
+    std::optional<std::vector<Catalogue>> catalogue;
+    std::optional<Designs> designs;  ///< Designs; without these and a file: the catalogue of the program.
+  };
+  /// Preload of a single nut, one of the two.
+  struct Preload {
+    std::optional<double> force;  ///< [N]
+    std::optional<double> share;  ///< Share of C_a, of the row or else Lemor's.
   };
   enum class Objective { weight, nut_diameter, life, motor_torque, power_lost };
 
+  std::optional<PrsLinkage> linkage;  ///< Linkage of a lever whose angle and torque `motion` has.
   Motion motion;
   Load load;
   std::optional<double> stroke;  ///< [m]
@@ -114,6 +128,8 @@ struct Requirement {
   Limits limits;
   DriveMotor motor;
   std::optional<double> brake_torque;  ///< Torque at the motor's shaft [N m].
+  double brake_safety = 1.5;           ///< Least brake torque over the holding torque.
+  std::optional<Preload> preload;
   Losses losses = Losses::slip;
   ModelOptions::Loads loads = ModelOptions::Loads::running;
   std::optional<Friction> friction;
@@ -141,7 +157,7 @@ struct MotionSegment {
   double duration = 0.0, start_speed = 0.0, end_speed = 0.0, external_force = 0.0;
   double force = 0.0;                     ///< Axial force on the screw, > 0 if it pushes in the positive sense.
   std::size_t shown_as = 0;               ///< Index among the shown segments; for classes that of the class.
-  std::optional<double> own_travel = {};  ///< Travel of a class.
+  std::optional<double> own_travel = {};  ///< Travel of a class, or between two samples of a lever.
 
   double acceleration() const { return (end_speed - start_speed) / duration; }
   double travel() const { return own_travel.value_or(0.5 * (start_speed + end_speed) * duration); }
@@ -168,6 +184,8 @@ struct MotionCycle {
   double holding_force = 0.0;        ///< Largest force at rest, else the weight along the axis [N].
   double largest_compression = 0.0;  ///< Largest force that compresses the screw, for buckling [N].
   bool closed = true;                ///< Whether it ends with its initial speed.
+  double moved_mass = 0.0;           ///< Mass along the axis; of a lever in the middle of its motion [kg].
+  std::optional<std::array<double, 2>> angles = {};  ///< Smallest and largest angle of a lever [rad].
 
   bool moves() const { return largest_speed > 0.0; }
   /// Speed of the load case `back-driving` [m/s] and its force [N].
@@ -198,6 +216,9 @@ Direction direction_of(const Requirement& r, double force);
 /// (THK general catalogue, axial loads), and values that follow from them: the cubic mean load over travel, speeds, the
 /// holding force. More than 60 are combined in classes by senses, 12 steps of force and 8 of speed.
 MotionCycle cycle_of(std::vector<MotionSegment> segments, const Requirement& r);
+
+/// Key of the file of one of several catalogues.
+std::string catalogue_file_key(const std::vector<Requirement::Catalogue>& all, std::size_t number);
 
 /// Reads and checks a requirement. Throws InputError.
 SizeInput read_requirement(const input::Source& source);

@@ -173,7 +173,8 @@ constexpr std::string_view kNeededColumns[] = {"screw_diameter_mm", "lead_mm", "
 /// Columns after `type` are shown and not used.
 constexpr std::string_view kOtherColumns =
     " rollers nut_diameter_mm nut_length_mm dynamic_capacity_kN static_capacity_kN efficiency "
-    "back_driving_efficiency name screw maker type nut_and_rollers_kg screw_kg_per_m "
+    "back_driving_efficiency drag_torque_Nm axial_play_mm grease_volume_cm3 name screw maker type nut_and_rollers_kg "
+    "screw_kg_per_m "
     "screw_inertia_kg_mm2_per_m nut_inertia_kg_mm2 roller_inertia_seen_by_screw_kg_mm2 "
     "screw_outer_diameter_mm screw_root_diameter_mm ";
 
@@ -184,8 +185,14 @@ bool is_known(const std::string& column) {
 
 class CatalogueReader {
  public:
-  CatalogueReader(std::string_view text, std::string name, const input::Source& source)
-      : text_(text), name_(std::move(name)), source_(source), reader_(text) {}
+  CatalogueReader(std::string_view text, std::string name, const input::Source& source,
+                  std::string path = std::string(kCatalogueFile), const std::optional<std::string>& list = {})
+      : text_(text),
+        name_(std::move(name)),
+        list_(list.value_or(name_)),
+        path_(std::move(path)),
+        source_(source),
+        reader_(text) {}
 
   std::vector<CandidateData> read(std::vector<Warning>& warnings) {
     if (!next()) fail("has no heading; expected the names of the columns, then a screw per row");
@@ -206,7 +213,7 @@ class CatalogueReader {
 
  private:
   [[noreturn]] void fail(std::string_view what) const {
-    input::fail_at(source_, kCatalogueFile, "got {}, which {}; check the file", name_, what);
+    input::fail_at(source_, path_, "got {}, which {}; check the file", name_, what);
   }
   [[noreturn]] void refuse_at(std::size_t offset, std::string_view message) const {
     throw input::InputError(fmt::format("{}: error: {}", input::place_in(name_, text_, offset), message));
@@ -229,11 +236,11 @@ class CatalogueReader {
 
   /// Reads headings as makers print them.
   void read_makers_headings(std::vector<Warning>& warnings) {
-    constexpr std::pair<std::string_view, std::string_view> kHeadings[] = {{"d0", "screw_diameter_mm"},
-                                                                           {"Ph", "lead_mm"},
-                                                                           {"Gangzahl", "starts"},
-                                                                           {"C", "dynamic_capacity_kN"},
-                                                                           {"C0", "static_capacity_kN"}};
+    constexpr std::pair<std::string_view, std::string_view> kHeadings[] = {
+        {"d0", "screw_diameter_mm"},     {"Ph", "lead_mm"},
+        {"Gangzahl", "starts"},          {"C", "dynamic_capacity_kN"},
+        {"C0", "static_capacity_kN"},    {"drag_torque", "drag_torque_Nm"},
+        {"axial_play", "axial_play_mm"}, {"grease_volume", "grease_volume_cm3"}};
     std::vector<std::string> read;
     for (const auto& [printed, column] : kHeadings) {
       const auto found = std::ranges::find(heading_, printed);
@@ -243,7 +250,7 @@ class CatalogueReader {
     }
     if (!read.empty())
       warnings.push_back(
-          {std::string(kCatalogueFile), "makers_headings",
+          {path_, "makers_headings",
            fmt::format("columns of {} are read by their usual meaning: {}", name_, fmt::join(read, ", ")),
            "compare a row with the maker's page"});
   }
@@ -256,7 +263,7 @@ class CatalogueReader {
       if (std::ranges::count(heading_, column) > 1)
         fail(fmt::format("has two columns {}; expected one of that name", input::shown(column)));
       if (!is_known(column))
-        warnings.push_back({std::string(kCatalogueFile), "unknown_column_" + column,
+        warnings.push_back({path_, "unknown_column_" + column,
                             fmt::format("the column {} of {} is not known, and not used", input::shown(column), name_),
                             "see docs/size.md for the columns"});
     }
@@ -269,7 +276,7 @@ class CatalogueReader {
         rows, [&](const CandidateData& c) { return c.static_capacity && c.dynamic_capacity && is_smaller(c); });
     if (first == rows.end()) return;
     warnings.push_back(
-        Warning{std::string(kCatalogueFile), "static_below_dynamic_capacity",
+        Warning{path_, "static_below_dynamic_capacity",
                 fmt::format("row {} of {} has a static capacity of {{value}}, below its dynamic one of {{limit}}",
                             first->number, name_),
                 "check the columns and their units"}
@@ -327,7 +334,7 @@ class CatalogueReader {
     CandidateData c;
     c.is_row = true;
     c.name = text(text("name").empty() ? "screw" : "name");
-    c.list = text("maker").empty() ? name_ : fmt::format("{}, {}", text("maker"), name_);
+    c.list = text("maker").empty() ? list_ : fmt::format("{}, {}", text("maker"), list_);
     const std::string_view type = text("type");
     if (!type.empty() && type != "standard" && type != "inverted")
       refuse(place_of("type"), "standard or inverted", "write one of these");
@@ -342,11 +349,14 @@ class CatalogueReader {
     c.static_capacity = capacity("static_capacity_kN", c.screw.screw_diameter);
     c.row_efficiency = number("efficiency");
     c.row_back_driving_efficiency = number("back_driving_efficiency");
+    c.row_drag_torque = number("drag_torque_Nm");
+    c.axial_play = number("axial_play_mm", 1e3);
+    c.grease_volume = number("grease_volume_cm3", 1e6);
     return c;
   }
 
   std::string_view text_;
-  std::string name_;
+  std::string name_, list_, path_;
   const input::Source& source_;
   input::CsvReader reader_;
   std::vector<std::string> heading_;
@@ -408,7 +418,7 @@ CompleteScrew screw_of(const CandidateData& candidate, const std::optional<doubl
       screw = complete_screw(longer);
     }
   }
-  require_capacity(screw);
+  required_capacity(screw);
   return as_written(std::move(screw));
 }
 
@@ -439,9 +449,14 @@ std::vector<CandidateData> candidates_of(const SizeInput& in, std::vector<Warnin
   const Requirement::Candidates& from = in.values.candidates;
   std::vector<CandidateData> all;
   if (from.catalogue)
-    all = CatalogueReader(input::named_file_text(*from.catalogue, kCatalogueFile, in.source),
-                          input::name_in_messages(*from.catalogue, in.source), in.source)
-              .read(warnings);
+    for (std::size_t k = 0; k < from.catalogue->size(); ++k) {
+      const auto& [file, list] = (*from.catalogue)[k];
+      const std::string path = catalogue_file_key(*from.catalogue, k);
+      std::ranges::move(CatalogueReader(input::named_file_text(file, path, in.source),
+                                        input::name_in_messages(file, in.source), in.source, path, list)
+                            .read(warnings),
+                        std::back_inserter(all));
+    }
   else if (!from.designs)
     all = CatalogueReader(standard_screws(), std::string(kStandardScrews), in.source).read(warnings);
   if (from.designs) add_designs(*from.designs, in.source, all);
@@ -484,7 +499,7 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   }
   for (const MotionSegment& segment : cycle.shown) {
     std::optional<std::size_t>& place = sized.load_case_of.emplace_back();
-    if (segment.force == 0.0) continue;
+    if (segment.force == 0.0 && !(r.preload && segment.sense() != 0)) continue;
     life.spectrum.push_back({.force = rounded(std::abs(segment.force)),
                              .direction = direction_of(r, segment.force),
                              .distance = cycle.mean_load ? rounded(std::abs(segment.travel())) : kNoTravel,
@@ -504,6 +519,17 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   c.carrier = r.carrier;
   c.measures = r.measures;
   c.measures->shaft = MeasureOptions::Shaft{sized.shaft_length, r.shaft.ends};
+  sized.drag_torque = r.load.drag_torque;
+  if (r.preload) {
+    Preload& preload = c.preload.emplace();
+    preload.force =
+        rounded(r.preload->force ? *r.preload->force
+                                 : *r.preload->share * candidate.dynamic_capacity.value_or(required_capacity(s)));
+    preload.position = s.position;
+    preload.load = {-cycle.largest_force, cycle.largest_force};
+  } else {
+    sized.drag_torque += candidate.row_drag_torque.value_or(0.0);
+  }
   return sized;
 }
 
@@ -523,7 +549,7 @@ Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Cond
       rest(s.duration);
       continue;
     }
-    const double acts = in.cycle.in_classes ? s.duration * work[j] / s.work() : s.duration;
+    const double acts = in.cycle.in_classes && s.force != 0.0 ? s.duration * work[j] / s.work() : s.duration;
     heat.duty.push_back({.load_case = nlohmann::json(s.name).dump(), .duration = acts, .rest = {}});
     if (s.duration - acts > kAlike * s.duration) rest(s.duration - acts);
   }
@@ -535,14 +561,15 @@ MotorDuty motor_duty(const SizeInput& in, const SizedCase& sized) {
   const Requirement& r = in.values;
   MotorDuty duty{.motor = r.motor,
                  .brake_torque = r.brake_torque,
-                 .drag_torque = r.load.drag_torque,
+                 .brake_safety = r.brake_safety,
+                 .drag_torque = sized.drag_torque,
                  .holding_force = in.cycle.holding_force,
                  .back_driving = r.limits.back_driving,
                  .driven_back = nlohmann::json(kBackDriving).dump(),
                  .cycle = {}};
   for (const MotionSegment& s : in.cycle.all) {
     duty.cycle.push_back(motor_step(s));
-    if (s.force != 0.0 && sized.load_case_of[s.shown_as])
+    if (sized.load_case_of[s.shown_as])
       duty.cycle.back().load_case = nlohmann::json(in.cycle.shown[s.shown_as].name).dump();
   }
   return duty;
@@ -666,7 +693,10 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
     c.measures->shaft->stroke = in.values.stroke;
   Limits limits = limits_of(in);
   MotorDuty duty = motor_duty(in, sized);
-  return text + of_heat + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
+  const std::string preload = c.preload ? "\n# Oversized rollers; `prs preload` has the curve through zero.\n" +
+                                              block_text("preload", value_of(*c.preload, Block{}))
+                                        : "";
+  return text + of_heat + preload + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
          lines.block("life", value_of(life, Block{}), value_of(life_default, Block{})) + "\n" +
          lines.block("measures", value_of(*c.measures, Block{}), value_of(measures_default, Block{})) + "\n" +
          lines.block("limits", value_of(limits, Block{}), value_of(limits_default, Block{})) +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/configurations/configurations.h"
+#include "prs/losses/motor_demand.h"
 #include "prs/record/record.h"
 #include "prs/size/requirement.h"
 #include "prs/slip/result/slip_result.h"
@@ -18,6 +19,7 @@ struct CandidateData {
   ScrewData screw;
   std::optional<double> dynamic_capacity, static_capacity;  ///< C_a, C_0 of the row [N].
   std::optional<double> row_efficiency, row_back_driving_efficiency;
+  std::optional<double> row_drag_torque, axial_play, grease_volume;  ///< Printed values [N m], [m], [m^3].
 
   /// Dimensions that neither row nor design states and that follow the rules of `prs new`.
   std::vector<std::string> assumed() const;
@@ -41,6 +43,7 @@ struct SizedCase {
   CompleteScrew screw;
   Case c;
   double shaft_length = 0.0;
+  double drag_torque = 0.0;  ///< Torque against the motion of the requirement and the row [N m].
   /// Load case of each shown segment.
   std::vector<std::optional<std::size_t>> load_case_of;
 
@@ -113,6 +116,11 @@ struct SizedCandidate : CandidateData {
   std::optional<double> power_lost, inertia;
   std::optional<double> motor_rms_torque, motor_peak_torque, motor_largest_speed, motor_peak_power;
   std::optional<double> inertia_ratio, regenerated_mean, regenerated_peak, holding_torque;
+  std::optional<ElectricDemand> electric;
+  std::optional<double> reflected_mass;      ///< Mass of what turns, at the nut [kg].
+  std::optional<double> back_driving_force;  ///< Force at which a load begins to drive a motor without current [N].
+  std::optional<double> preload_force;       ///< [N]
+  std::optional<double> no_load_torque;      ///< Torque of the preload without load, at the mean speed [N m].
   bool brake_needed = false;
   std::optional<double> relubrication;  ///< [s]
 

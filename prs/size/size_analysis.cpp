@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "modules/response/response.h"
 #include "prs/configurations/configurations_files.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_record.h"
@@ -24,6 +25,12 @@ Record<MotionSegment> record_of(Type<MotionSegment>) {
   return {"MotionSegment", "Constant acceleration under one force.", kMotionSegment};
 }
 
+/// The lever of a requirement.
+static std::optional<LeverMotion> lever_of(const SizeInput& in) {
+  if (!in.cycle.angles) return std::nullopt;
+  return LeverMotion{*in.values.linkage, in.values.load.inertia, *in.cycle.angles};
+}
+
 constexpr Quantity<RequirementOf> kRequirement[] = {
     {"cycle_s", of<its<&MotionCycle::duration>>, "rests included"},
     {"moving_s", of<its<&MotionCycle::moving>>, "time in motion, per cycle"},
@@ -36,6 +43,7 @@ constexpr Quantity<RequirementOf> kRequirement[] = {
     {"rms_speed_mm_per_s", of<its<&MotionCycle::rms_speed>>, "over the cycle with its rests"},
     {"mean_speed_mm_per_s", of<its<&MotionCycle::mean_speed>>, "travel over the time in motion"},
     {"segments", always<its<&MotionCycle::shown>>, "of constant acceleration, or classes of many samples"},
+    {"lever", of<[](const RequirementOf& r) { return lever_of(r.whole->input); }>, "whose angle and torque are given"},
 };
 
 Record<RequirementOf> record_of(Type<RequirementOf>) {
@@ -87,6 +95,11 @@ constexpr Quantity<Heat::Conductance> kConductance[] = {
 Record<Heat::Conductance> record_of(Type<Heat::Conductance>) {
   return {"ThermalConductances", "Of the network of the parts.", kConductance};
 }
+
+template <auto member>
+constexpr auto of_electric = of<[](const SizedCandidate& c) {
+  return c.electric ? std::optional<double>((*c.electric).*member) : std::nullopt;
+}>;
 
 template <auto get>
 constexpr auto life_of = of<[](const auto& c) { return std::invoke(get, c.life); }>;
@@ -165,6 +178,12 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"computed", of<&SizedCandidate::by_threads>, "the same by the loads of the threads"},
     {"dynamic_capacity_N", of<&SizedCandidate::dynamic_capacity>, "of the row"},
     {"static_capacity_N", of<&SizedCandidate::static_capacity>, "of the row"},
+    {"drag_torque_Nm", of<&SizedCandidate::row_drag_torque>, "of the row"},
+    {"axial_play_mm", of<&SizedCandidate::axial_play>, "of the row"},
+    {"grease_volume_cm3", of<&SizedCandidate::grease_volume>, "of the row"},
+    {"preload_N", of<&SizedCandidate::preload_force>, "of each flank without load"},
+    {"no_load_torque_Nm", of<&SizedCandidate::no_load_torque>,
+     "of the preload at the part that turns, at the mean speed"},
     {"buckling_load_N", of<&SizedCandidate::buckling_load>, "of the shaft, as `prs measures`"},
     {"buckling_safety", of<&SizedCandidate::buckling_safety>, "against the largest compression"},
     {"critical_speed_rpm", of<&SizedCandidate::critical_speed>, "of a screw that turns"},
@@ -194,6 +213,17 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"inertia_ratio", of<&SizedCandidate::inertia_ratio>, "screw and mass over the motor's, at its shaft"},
     {"regenerated_mean_W", of<&SizedCandidate::regenerated_mean>, "over the cycle"},
     {"regenerated_peak_W", of<&SizedCandidate::regenerated_peak>, "largest of the cycle"},
+    {"motor_rms_current_A", of_electric<&ElectricDemand::rms_current>, "over the cycle, of the direct-current motor"},
+    {"motor_peak_current_A", of_electric<&ElectricDemand::peak_current>, "largest of the cycle"},
+    {"motor_peak_voltage_V", of_electric<&ElectricDemand::peak_voltage>, "largest of the cycle"},
+    {"motor_voltage_speed_rpm", of_electric<&ElectricDemand::voltage_speed>,
+     "of the motor, up to which the supply's voltage drives the largest torque of the motion"},
+    {"copper_loss_W", of_electric<&ElectricDemand::copper_loss>, "mean of R I^2"},
+    {"electrical_energy_J", of_electric<&ElectricDemand::energy>, "per cycle, net"},
+    {"regenerated_electrical_J", of_electric<&ElectricDemand::regenerated>, "per cycle, back to the supply"},
+    {"reflected_mass_kg", of<&SizedCandidate::reflected_mass>, "of motor, gear and screw, at the nut"},
+    {"back_driving_force_N", of<&SizedCandidate::back_driving_force>,
+     "axial, with which a load begins to turn a motor without current; absent where the screw locks itself"},
     {"holding_torque_Nm", of<&SizedCandidate::holding_torque>, "at the motor, without friction"},
     {"brake_needed", always<&SizedCandidate::brake_needed>, "a force at rest turns the screw"},
     {"relubrication_h", of<&SizedCandidate::relubrication>, "interval by the makers' rule",
@@ -414,7 +444,8 @@ Figures curve(const SizeResult& r) {
   constexpr std::string_view kInCycle = "_in_cycle";
   for (const auto& [limit, forces] : c.force) {
     const bool in_cycle = limit.ends_with(kInCycle);
-    if (!in_cycle && limit != "static" && limit != "buckling" && limit != "motor_peak") continue;
+    constexpr std::string_view kSingle = " static buckling motor_peak motor_current motor_voltage ";
+    if (!in_cycle && kSingle.find(fmt::format(" {} ", limit)) == kSingle.npos) continue;
     const bool all = limit.starts_with("envelope");
     const std::string_view of = std::string_view(limit).substr(0, limit.size() - (in_cycle ? kInCycle.size() : 0));
     Series line{figure.add(all ? "mean load in this cycle" : words_of(of) + (in_cycle ? ", mean load" : ""),
@@ -649,6 +680,7 @@ constexpr std::pair<std::string_view, std::string_view> kRestsOn[] = {
     {"motor_peak_torque", "friction"},
     {"temperature", "friction"},
     {"temperature", "heat.ambient"},
+    {"brake", "brake.safety"},
 };
 
 }  // namespace
@@ -720,9 +752,11 @@ std::string items_csv(const SizeResult& r, const std::vector<Item> SizedCandidat
 }  // namespace
 
 std::vector<OutputFile> size_files(const SizeResult& r, const CsvStyle& style) {
-  return {{"size.csv", candidates_csv(r, style)},
-          {"size_criteria.csv", items_csv(r, &SizedCandidate::criteria, "criterion", style)},
-          {"size_segments.csv", items_csv(r, &SizedCandidate::segments, "segment", style)}};
+  std::vector<OutputFile> files{{"size.csv", candidates_csv(r, style)},
+                                {"size_criteria.csv", items_csv(r, &SizedCandidate::criteria, "criterion", style)},
+                                {"size_segments.csv", items_csv(r, &SizedCandidate::segments, "segment", style)}};
+  if (const auto lever = lever_of(r.input)) files.push_back({"linkage.csv", linkage_csv(*lever, style)});
+  return files;
 }
 
 }  // namespace prs

@@ -218,6 +218,53 @@ def test_unit_starts_where_initialization_ends(tmp_path: Path) -> None:
     assert force == pytest.approx(run.force_N[1], abs=1e-4 * np.ptp(run.force_N) + 1.0)
 
 
+def test_lever_follows_its_own_equation() -> None:
+    """SciPy integrates J theta'' = g F - M in the angle, under the force of the screw that the run has."""
+    interpolate = pytest.importorskip("scipy.interpolate")
+    integrate = pytest.importorskip("scipy.integrate")
+    base, arm, inertia = 0.5, 0.3, 2.0
+    speed = {"points": [{"at": "0 s", "value": "0 rpm"}, {"at": "0.1 s", "value": "3000 rpm"}]}
+    torque = {"mean": "300 N m", "amplitude": "100 N m", "frequency": "20 Hz"}
+    block = {
+        "duration": "0.4 s",
+        "sample_interval": "20 us",
+        "motor": {"speed": speed},
+        "load": {
+            "linkage": {"base": "500 mm", "arm": "300 mm"},
+            "inertia": "2 kg m^2",
+            "torque": {"sine": torque},
+        },
+        "start": {"angle": "60 deg"},
+        "material_damping": {"time": "50 us"},
+    }
+    run = lesson(36).with_(response=block).response().response
+    time, angle = np.array(run.time_s), np.radians(run.lever_angle_deg)
+    force = interpolate.CubicSpline(time, run.force_N)
+
+    def rates(t: float, state: np.ndarray) -> list[float]:
+        length = np.sqrt(base**2 + arm**2 - 2.0 * base * arm * np.cos(state[0]))
+        ratio = base * arm * np.sin(state[0]) / length
+        against = 300.0 + 100.0 * np.sin(2.0 * np.pi * 20.0 * t)
+        return [state[1], (ratio * force(t) - against) / inertia]
+
+    own = integrate.solve_ivp(
+        rates,
+        (0.0, time[-1]),
+        [angle[0], 0.0],
+        "DOP853",
+        time[::500],
+        rtol=1e-10,
+        atol=1e-12,
+        max_step=1e-4,
+    )
+    assert np.ptp(angle) > 0.3
+    assert own.y[0] == pytest.approx(angle[::500], abs=1e-5 * np.ptp(angle))
+    # The angle is that of the length, which the screw has moved.
+    length = np.sqrt(base**2 + arm**2 - 2.0 * base * arm * np.cos(angle))
+    assert length - length[0] == pytest.approx(1e-3 * np.array(run.position_mm), abs=1e-10)
+    assert run.energy_J.residual_relative < 1e-6
+
+
 @pytest.fixture(scope="module")
 def axis() -> rs.Case:
     """The drive of lesson 35 under an even torque, without stops."""

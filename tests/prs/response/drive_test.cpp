@@ -392,6 +392,83 @@ TEST(Drive, ASumOfSignalsIsTheSumOfEachAlone) {
   }
 }
 
+/// A lever of 2 kg m^2 with its linkage, at an angle.
+PlainDrive lever_at(double degrees) {
+  PlainDrive d;
+  d.drive.linkage = {0.5, 0.3};
+  const PrsLever lever = prs_lever(&d.drive.linkage, degrees * std::numbers::pi / 180.0);
+  d.drive.lever_inertia = 2.0;
+  d.drive.lever_length = lever.length;
+  d.drive.mass = 2.0 / (lever.ratio * lever.ratio);
+  return d;
+}
+
+TEST(Drive, ALeverHasTheNumbersOfItsDefinition) {
+  const PrsDrive drive = lever_at(60.0).drive;
+  const PrsLever lever = prs_lever_at(&drive, 0.0);
+  EXPECT_NEAR(lever.length, 0.435889894, 5e-10);
+  EXPECT_NEAR(lever.ratio, 0.298019780, 5e-10);
+  EXPECT_NEAR(prs_mass_at(&drive, 0.0), 22.518519, 5e-7);
+  const double step = 1e-6, angle = std::numbers::pi / 3.0;
+  const auto ratio = [&](double at) { return prs_lever(&drive.linkage, at).ratio; };
+  EXPECT_NEAR(lever.bend, (ratio(angle + step) - ratio(angle - step)) / (2.0 * step), 1e-9);
+}
+
+/// A lever that swings widely on a soft held screw, against J theta'' + M = g F in the angle itself, by Runge-Kutta.
+TEST(Drive, ALeverOnAHeldScrewFollowsItsOwnEquation) {
+  constexpr double kStiffness = 4e4, kTorque = 300.0, kInertia = 2.0, kRest = std::numbers::pi / 3.0;
+  PlainDrive d = lever_at(60.0);
+  d.set_stiffness(kStiffness);
+  d.drive.start_deflection = 0.0;
+  d.motor = constant(0.0);
+  d.force = constant(kTorque);
+  constexpr double kStep = 1e-5;
+  constexpr int kEach = 100, kSamples = 200;
+  const DriveResult r = d.run(kSamples * kEach * kStep, kEach * kStep, 1e-10);
+  ASSERT_EQ(r.lever_angle.size(), static_cast<std::size_t>(kSamples) + 1);
+  const auto length = [](double theta) { return std::sqrt(0.34 - 0.3 * std::cos(theta)); };
+  const auto turning = [&](double theta) {
+    const double now = length(theta);
+    return (-kTorque - 0.15 * std::sin(theta) / now * kStiffness * (now - length(kRest))) / kInertia;
+  };
+  double theta = kRest, speed = 0.0, lowest = kRest;
+  for (int k = 0; k <= kSamples; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    EXPECT_NEAR(r.lever_angle[at], theta, 1e-8) << k;
+    EXPECT_NEAR(r.lever_speed[at], speed, 1e-6) << k;
+    EXPECT_NEAR(r.x[at], length(theta) - length(kRest), 1e-9) << k;
+    EXPECT_NEAR(r.external[at] * prs_lever(&d.drive.linkage, theta).ratio, kTorque, 1e-5) << k;
+    lowest = std::min(lowest, theta);
+    for (int j = 0; j < kEach; ++j) {
+      const double k1 = turning(theta), k2 = turning(theta + 0.5 * kStep * speed),
+                   k3 = turning(theta + 0.5 * kStep * (speed + 0.5 * kStep * k1)),
+                   k4 = turning(theta + kStep * (speed + 0.5 * kStep * k2));
+      theta += kStep * (speed + kStep * (k1 + k2 + k3) / 6.0);
+      speed += kStep * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
+    }
+  }
+  EXPECT_LT(lowest, kRest - 0.1);  // Far enough that a constant mass would be wrong.
+  EXPECT_LT(residual(r), 1e-8);
+}
+
+/// The resonance of a lever under load, against a small vibration of the run itself.
+TEST(Drive, ALeverVibratesAboutItsLoadAsSmallVibrationHasIt) {
+  constexpr double kTorque = 300.0;
+  PlainDrive d = lever_at(60.0);
+  d.set_stiffness(1e6);
+  d.motor = constant(0.0);
+  d.force = constant(kTorque);
+  const double ratio = prs_lever_at(&d.drive, 0.0).ratio;
+  const FrequencyResponse f = small_vibration(d.drive, {kTorque / ratio, 0.0}, {1.0});
+  ASSERT_EQ(f.resonances.size(), 1U);
+  d.drive.start_speed = 1e-6;
+  const double period = 1.0 / f.resonances[0].frequency;
+  const DriveResult r = d.run(20.0 * period, period / 40.0, 1e-11);
+  // After twenty periods it is back, but for the share of a period by which the frequency is off.
+  EXPECT_NEAR(r.x.back(), 0.0, 2e-4 * 1e-6 * period);
+  EXPECT_NEAR(r.v.back(), 1e-6, 1e-5 * 1e-6);
+}
+
 TEST(Drive, FlanksThatTouchAtRestBeginToCarryWithoutAnImpact) {
   PlainDrive d;
   d.set_hertz(5e10, 0.0);

@@ -81,7 +81,9 @@ TEST(WrittenCandidate, HasOneSetOfNumbersInKilometresByThreads) {
 
 const std::string kMotor =
     "motor: {rated_torque: 30 N m, peak_torque: 70 N m, largest_speed: 2500 rpm, inertia: 10 kg cm^2, gear_ratio: 1.5, "
-    "gear_efficiency: 95 %}\nbrake: {torque: 2 N m}\n";
+    "gear_efficiency: 95 %, torque_constant: 0.5 N m/A, resistance: 100 mOhm, supply: {voltage: 120 V, current: 100 "
+    "A}, "
+    "continuous_current: 40 A}\nbrake: {torque: 2 N m, safety: 2}\n";
 
 TEST(WrittenCandidate, HasMotorBrakeAndTemperaturesOfACatalogue) {
   expect_one_set_of_numbers(kPress + kMotor +

@@ -578,6 +578,214 @@ TEST(SizeCurve, TheCurveOfTheCycleLiesAboveTheMeanLoadOfAScrewThatPasses) {
   }
 }
 
+constexpr const char* kScrews =
+    "screw_diameter_mm,lead_mm,starts,dynamic_capacity_kN,drag_torque_Nm,axial_play_mm,grease_volume_cm3\n"
+    "30,10,5,145,0.3,0.02,12\n";
+
+/// One catalogue or several, each row with its source and what its maker prints.
+TEST(SizeCatalogue, RowsHaveTheirSourcesAndPrintedValues) {
+  input::Source source = input::source_of_text(
+      "press.yaml",
+      std::string(kPressing) + "candidates: {catalogue: [{file: a.csv, source: maker A}, {file: b.csv}]}\n", {});
+  source.files.emplace()["a.csv"] = kScrews;
+  (*source.files)["b.csv"] = "name,screw_diameter_mm,lead_mm,starts\nb,36,10,5\n";
+  const SizeResult r = size_screws(read_requirement(source));
+  ASSERT_EQ(r.candidates.size(), 2);
+  const SizedCandidate &a = named(r, "30x10"), &b = named(r, "b");
+  EXPECT_EQ(a.list, "maker A");
+  EXPECT_EQ(b.list, "b.csv");
+  EXPECT_EQ(b.number, 1U);
+  EXPECT_EQ(a.row_drag_torque, 0.3);
+  EXPECT_EQ(a.axial_play, 2e-5);
+  EXPECT_EQ(a.grease_volume, 12e-6);
+  // The printed torque is one against the motion, as `load.drag_torque`.
+  source =
+      input::source_of_text("press.yaml", std::string(kPressing) + "candidates: {catalogue: {file: own.csv}}\n", {});
+  const SizeResult stated =
+      sized_with(std::string(kPressing).insert(kPressing.find("moved_mass"), "drag_torque: 0.3 N m, ") +
+                     "candidates: {catalogue: {file: own.csv}}\n",
+                 "screw_diameter_mm,lead_mm,starts,dynamic_capacity_kN\n30,10,5,145\n");
+  EXPECT_EQ(a.motor_rms_torque.value(), stated.candidates.front().motor_rms_torque.value());
+  EXPECT_THAT(
+      [] {
+        sized_with(std::string(kPressing) + "candidates: {catalogue: [{file: own.csv}, {file: none.csv}]}\n", kScrews);
+      },
+      testing::ThrowsMessage<input::InputError>(
+          AllOf(HasSubstr("candidates.catalogue[1].file"), HasSubstr("does not exist"))));
+}
+
+/// Numbers of the published definition: a = 0.5 m, b = 0.3 m, J = 2 kg m^2, at constant speeds.
+TEST(SizeLever, HasTheNumbersOfItsDefinition) {
+  const auto at = [](const char* angle, const char* speed, const char* torque) {
+    const SizeInput in =
+        read(fmt::format("linkage: {{base: 500 mm, arm: 300 mm}}\nload: {{inertia: 2 kg m^2}}\n"
+                         "motion: {{start_angle: {0}, start_speed: {1}, segments: [{{duration: 1e-6 ms, end_speed: "
+                         "{1}, torque: {2}}}]}}\n",
+                         angle, speed, torque));
+    const PrsLever lever = prs_lever(&*in.values.linkage, in.cycle.angles->front());
+    const MotionSegment& s = in.cycle.all.front();
+    return std::array{lever.length, lever.ratio, s.force, s.start_speed, in.cycle.moved_mass};
+  };
+  const std::array a = at("60 deg", "2 rad/s", "300 N m"), b = at("110 deg", "-1.5 rad/s", "-120 N m");
+  const std::array a_defined{0.435889894, 0.298019780, 1006.644591, 0.596039561, 22.518519};
+  const std::array b_defined{0.665286437, 0.211869483, -566.386431, -0.317804224, 44.554665};
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_NEAR(a[k], a_defined[k], 5.1e-7 * (k < 2 || k == 3 ? 1e-3 : 1.0)) << k;
+    EXPECT_NEAR(b[k], b_defined[k], 5.1e-7 * (k < 2 || k == 3 ? 1e-3 : 1.0)) << k;
+  }
+}
+
+/// The work of the screw is that of the torque and the kinetic energy of the lever.
+TEST(SizeLever, WorkIsThatOfTorqueAndInertia) {
+  const SizeInput in = read(
+      "linkage: {base: 500 mm, arm: 300 mm}\nload: {inertia: 20 kg m^2}\n"
+      "motion: {start_angle: 40 deg, segments: [{duration: 0.5 s, end_speed: 30 deg/s, torque: 600 N m}, "
+      "{duration: 2 s, end_speed: 30 deg/s, torque: 600 N m}]}\n");
+  double work = 0.0;
+  for (const MotionSegment& s : in.cycle.all) work += s.force * s.travel();
+  const double turned = 67.5 * std::numbers::pi / 180.0, speed = std::numbers::pi / 6.0;
+  expect_near_relative(work, 600.0 * turned + 0.5 * 20.0 * speed * speed, 2e-6);
+  const auto length = [](double degrees) {
+    return std::sqrt(0.34 - 0.3 * std::cos(degrees * std::numbers::pi / 180.0));
+  };
+  expect_near_relative(in.cycle.way, length(107.5) - length(40.0), 1e-12);
+}
+
+/// A lever that swings as a sine: theta = 80 deg + 30 deg sin(w t), with its torque and its inertia.
+TEST(SizeLever, HistoryHasForcesOfTorqueAndInertia) {
+  std::string csv = "t,angle,torque\n";
+  constexpr int kSamples = 720;
+  const double w = 2.0 * std::numbers::pi;  // 1 Hz
+  const auto angle = [&](double t) { return (80.0 + 30.0 * std::sin(w * t)) * std::numbers::pi / 180.0; };
+  for (int k = 0; k <= kSamples; ++k) {
+    const double t = static_cast<double>(k) / kSamples;
+    csv += fmt::format("{:.12f},{:.12f},{:.9f}\n", t, angle(t) * 180.0 / std::numbers::pi, 100.0 * std::cos(w * t));
+  }
+  input::Source source = input::source_of_text(
+      "lever.yaml",
+      "linkage: {base: 500 mm, arm: 300 mm}\nload: {inertia: 5 kg m^2}\n"
+      "motion: {history: {file: swing.csv, time: {column: t, unit: s}, angle: {unit: deg}, torque: {unit: N m}}}\n",
+      {});
+  source.files.emplace()["swing.csv"] = csv;
+  const SizeInput in = read_requirement(source);
+  EXPECT_NEAR(in.cycle.angles->front() * 180.0 / std::numbers::pi, 50.0, 1e-9);
+  EXPECT_NEAR(in.cycle.angles->back() * 180.0 / std::numbers::pi, 110.0, 1e-9);
+  double largest = 0.0;
+  for (int k = 0; k < kSamples; ++k) {
+    const double t = (k + 0.5) / kSamples, theta = angle(t);
+    const double length = std::sqrt(0.34 - 0.3 * std::cos(theta)), ratio = 0.15 * std::sin(theta) / length;
+    const double turning = -30.0 * std::numbers::pi / 180.0 * w * w * std::sin(w * t);
+    const double force = (100.0 * std::cos(w * t) + 5.0 * turning) / ratio;
+    largest = std::max(largest, std::abs(force));
+    EXPECT_NEAR(in.cycle.all[static_cast<std::size_t>(k)].force, force, 2e-4 * 600.0) << k;
+  }
+  expect_near_relative(in.cycle.largest_force, largest, 2e-4);
+}
+
+TEST(SizeLever, DeadCentresAreNamedByTheirRow) {
+  input::Source source = input::source_of_text(
+      "lever.yaml",
+      "linkage: {base: 500 mm, arm: 300 mm}\n"
+      "motion: {history: {file: swing.csv, time: {column: t, unit: s}, angle: {unit: deg}, torque: {unit: N m}}}\n",
+      {});
+  source.files.emplace()["swing.csv"] = "t,angle,torque\n0,170,5\n1,178,5\n2,179.2,5\n";
+  EXPECT_THAT([&] { read_requirement(source); },
+              testing::ThrowsMessage<input::InputError>(
+                  AllOf(HasSubstr("lever.yaml:2:"), HasSubstr("got 179.2 deg in row 3 of swing.csv, a dead centre"))));
+  EXPECT_THAT(
+      [] {
+        read(
+            "linkage: {base: 500 mm, arm: 300 mm}\nmotion: {start_angle: 20 deg, segments: [{name: fold, duration: 1 "
+            "s, "
+            "end_speed: -50 deg/s, torque: 9 N m}]}\n");
+      },
+      testing::ThrowsMessage<input::InputError>(AllOf(HasSubstr("deg in fold, a dead centre"), HasSubstr("1 to 179"))));
+}
+
+/// Steps of one second at 50 rad/s of the motor and 10 N m: numbers of the published definition, then braking, and a
+/// power that passes zero in a straight line.
+TEST(SizeMotor, CurrentVoltageAndEnergyAreThoseOfTheDirectCurrentMotor) {
+  DriveMotor motor;
+  motor.torque_constant = 0.5;
+  motor.resistance = 0.8;
+  motor.supply.voltage = 48.0;
+  constexpr double kLead = 2.0 * std::numbers::pi;  // A speed of the axis is then that of the motor.
+  const auto demand = [&](double from, double to, double torque) {
+    const DrivenStep step{{.load_case = {}, .duration = 1.0, .start_speed = from, .end_speed = to}, torque};
+    return *motor_demand(std::span(&step, 1), motor, kLead, 0.0, 0.0, true).electric;
+  };
+  const ElectricDemand drives = demand(50.0, 50.0, 10.0);
+  EXPECT_NEAR(drives.peak_current, 20.0, 1e-12);
+  EXPECT_NEAR(drives.rms_current, 20.0, 1e-12);
+  EXPECT_NEAR(*drives.peak_voltage, 41.0, 1e-12);
+  EXPECT_NEAR(*drives.energy, 820.0, 1e-10);
+  EXPECT_NEAR(*drives.copper_loss, 320.0, 1e-10);
+  EXPECT_EQ(*drives.regenerated, 0.0);
+  EXPECT_NEAR(*drives.voltage_speed, 64.0, 1e-12);  // 0.5 N m/A times it leaves 16 V of 48 V for 20 A.
+  const ElectricDemand brakes = demand(50.0, 50.0, -10.0);
+  EXPECT_NEAR(*brakes.peak_voltage, 9.0, 1e-12);
+  EXPECT_NEAR(*brakes.energy, -180.0, 1e-10);
+  EXPECT_NEAR(*brakes.regenerated, 180.0, 1e-10);
+  const ElectricDemand stops = demand(64.0, 0.0, -10.0);  // Power from -320 W to 320 W.
+  EXPECT_NEAR(*stops.energy, 0.0, 1e-10);
+  EXPECT_NEAR(*stops.regenerated, 80.0, 1e-10);
+  motor.resistance.reset();
+  EXPECT_FALSE(demand(50.0, 50.0, 10.0).peak_voltage);
+}
+
+constexpr std::string_view kElectric =
+    "motor: {torque_constant: 0.5 N m/A, resistance: 0.8 Ohm, supply: {voltage: 48 V, current: 40 A}, "
+    "continuous_current: 15 A}\nbrake: {torque: 40 N m}\n";
+
+TEST(SizeMotor, CriteriaAndCurveHaveVoltageAndCurrent) {
+  const SizeResult r =
+      sized(std::string(kMotion).append(kLoad).append(kElectric) + "stroke: 650 mm\nmodel: {loads: static}\n");
+  const SizedCandidate& c = named(r, "30x10");
+  const ElectricDemand& e = c.electric.value();
+  EXPECT_NEAR(e.rms_current, *c.motor_rms_torque / 0.5, 1e-12);
+  EXPECT_EQ(criterion(c, "motor_voltage").value, e.peak_voltage);
+  EXPECT_EQ(criterion(c, "motor_voltage").limit, 48.0);
+  EXPECT_EQ(criterion(c, "motor_voltage").unit, "V");
+  EXPECT_EQ(criterion(c, "motor_current").value, e.peak_current);
+  EXPECT_EQ(criterion(c, "motor_rms_current").value, e.rms_current);
+  EXPECT_EQ(criterion(c, "motor_rms_current").unit, "A");
+  // 1800 rpm and some 35 A need 0.5 N m/A 188 rad/s + 28 V.
+  EXPECT_EQ(criterion(c, "motor_voltage").status, CriterionStatus::fail);
+  EXPECT_NEAR(*criterion(c, "brake").value, 40.0 / (1.5 * *c.holding_torque), 1e-12);
+  EXPECT_EQ(criterion(c, "brake").limit, 1.0);
+  expect_near_relative(*c.reflected_mass, *c.inertia * std::pow(2.0 * std::numbers::pi / 0.01, 2), 1e-12);
+  expect_near_relative(*c.back_driving_force, 0.1 * 2.0 * std::numbers::pi / 0.01 / *c.back_driving_efficiency, 1e-12);
+  // The curve ends at the speed at which the voltage drives no torque.
+  const SizeCurve curve = force_over_speed(r.input, c).value();
+  expect_near_relative(curve.speed.back(), 48.0 / 0.5 / (2.0 * std::numbers::pi) * 0.01, 1e-12);
+  const auto voltage = std::ranges::find(curve.force, "motor_voltage", [](const auto& s) { return s.first; });
+  ASSERT_NE(voltage, curve.force.end());
+  EXPECT_EQ(voltage->second.back(), 0.0);
+  const double torque = 0.5 * (48.0 - 24.0) / 0.8;  // At half of that speed.
+  expect_near_relative(voltage->second[19], (torque - 0.1) * 2.0 * std::numbers::pi / 0.01 * curve.efficiency[19],
+                       1e-12);
+}
+
+/// The loads of both flanks give drag, life and stiffness, also for the written case.
+TEST(SizePreload, IsThatOfAPreloadedNut) {
+  const std::string text = of_one(std::string(kMotion).append(kLoad)) + "stroke: 650 mm\nlife: {hours: 100 h}\n";
+  const SizeResult loose = sized(text), tight = sized(text + "preload: {share: 5 %}\n");
+  const SizedCandidate &a = loose.candidates.front(), &b = tight.candidates.front();
+  EXPECT_FALSE(a.no_load_torque);
+  expect_near_relative(*b.preload_force, 0.05 * *b.by_threads.capacity, 1e-11);
+  EXPECT_GT(*b.no_load_torque, 0.0);
+  EXPECT_LT(*b.life.hours, *a.life.hours);
+  EXPECT_GT(*b.stiffness, *a.stiffness);
+  EXPECT_LT(*b.efficiency, *a.efficiency);
+  const Case written =
+      input::read_case(input::source_of_text("written.yaml", written_candidate(tight.input, b), {}), Command::life);
+  expect_near_relative(*b.life.revolutions,
+                       analyze_life(written).system_life * tight.input.cycle.travel / tight.input.cycle.loaded_travel,
+                       1e-9);
+  const Result slip = analyze_slip(written);
+  expect_near_relative(*b.segments.front().efficiency, *slip.load_cases.front().slip->efficiency, 1e-9);
+}
+
 struct Wrong {
   const char* text;
   const char* place;
@@ -617,6 +825,19 @@ INSTANTIATE_TEST_SUITE_P(
               "2:72", "R5 | R10 | R20 | R40"},
         Wrong{MOTION "stroke: 1 mm\n", "2:9", "4.5 mm"},
         Wrong{MOTION "motor: {rated_torque: 3 N m, peak_torque: 2 N m}\n", "2:43", "at least `rated_torque`"},
+        Wrong{MOTION "motor: {supply: {voltage: 48 V}}\n", "2:9", "only with `torque_constant`"},
+        Wrong{MOTION "motor: {torque_constant: 0.5 N m/A, supply: {voltage: 48 V}}\n", "2:1",
+              "motor.resistance: missing"},
+        Wrong{MOTION "motor: {torque_constant: 0.5 N m}\n", "2:26", "mN m/A"},
+        Wrong{MOTION "brake: {torque: 4 N m, safety: 0}\n", "2:32", "> 0"},
+        Wrong{MOTION "preload: {share: 60 %}\n", "2:18", "<= 50 %"},
+        Wrong{MOTION "preload: {share: 5 %, force: 2 kN}\n", "2:10", "exactly one of force, share"},
+        Wrong{MOTION "linkage: {base: 500 mm, arm: 300 mm}\n", "1:56", "force"},
+        Wrong{"motion: {start_angle: 9 deg, segments: [{duration: 1 s, end_speed: 9 mm/s}]}\n", "1:10",
+              "only with `linkage`"},
+        Wrong{"linkage: {base: 500 mm, arm: 300 mm}\nmotion: {segments: [{duration: 1 s, end_speed: 9 deg/s, torque: "
+              "9 N m}]}\n",
+              "2:1", "motion.start_angle: missing"},
         Wrong{MOTION "limits: {temperature: 20 degC}\n", "2:23", "heat.ambient: 25 degC"},
         Wrong{MOTION "relubrication: {peak_force: 1 kN}\n", "2:1", "relubrication.static_load_factor: missing"},
         Wrong{"motion: {segments: [{name: a, duration: 1 s, end_speed: 9 mm/s, force: 1 kN}, {name: "
