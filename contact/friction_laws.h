@@ -103,8 +103,7 @@ struct Mixed {
   static constexpr std::array<LawParameter<Mixed>, 2> parameters{
       {{"boundary", &Mixed::boundary, "", "0.12", "Coefficient of friction of flanks that touch"},
        {"exponent", &Mixed::exponent, "", "2",
-        "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch; 2 by default", false,
-        false}}};
+        "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch", false, false}}};
 
   template <class Number>
   [[gnu::always_inline]] auto in(const RollingContactOf<Number>& c) const {

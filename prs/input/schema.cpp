@@ -140,6 +140,10 @@ template <class T>
 Json default_of(const T&) {
   return Json();
 }
+Json default_of(const OneOr& value) {
+  if (value.form != OneOr::Form::parts) return Json();
+  return std::visit([](const auto& v) { return default_of(v); }, value.one().as);
+}
 
 Json schema_of(const MapValue& map) {
   Json properties = Json::object(), required_keys = Json::array();
