@@ -21,8 +21,6 @@ constexpr std::size_t kMostRows = 100'000;
 constexpr std::size_t kMostComputed = 1'000;  ///< Largest number of rows that each need a case of their own.
 constexpr std::string_view kThread = "thread", kForce = "axial_force", kLoadCase = "load_case";
 
-bool contains(const std::vector<std::string>& words, std::string_view word) { return contains(words, word); }
-
 /// Responses of an analysis at a place of its document.
 struct Responses {
   Command command;
