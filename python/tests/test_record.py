@@ -354,7 +354,7 @@ def test_what_is_absent_says_what_there_is(case_record: records.LoadCase) -> Non
     ):
         _ = case_record["slip"]
     with pytest.raises(
-        KeyError, match=r"it needs `load_cases\[config1-tension\].travel`; there is"
+        KeyError, match=r"it needs `model.mechanism: full` and `load_cases\[config1-t"
     ):
         _ = case_record["travel"]
     with pytest.raises(KeyError, match="it needs `heat`; there is name, "):
