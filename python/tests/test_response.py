@@ -219,7 +219,7 @@ def test_unit_starts_where_initialization_ends(tmp_path: Path) -> None:
 
 
 def test_lever_follows_its_own_equation() -> None:
-    """SciPy integrates J theta'' = g F - M in the angle, under the force of the screw that the run has."""
+    """SciPy integrates J theta'' = g F - M in the angle, under the force that the run has."""
     interpolate = pytest.importorskip("scipy.interpolate")
     integrate = pytest.importorskip("scipy.integrate")
     base, arm, inertia = 0.5, 0.3, 2.0
