@@ -1,3 +1,7 @@
+#include <fmt/ranges.h>
+
+#include <set>
+
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
@@ -111,12 +115,18 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
       }
     }
   }
-  if (has_level) figure.add("every thread with equal shares", kMeanStyle);
+  if (has_level) figure.add("every thread with equal thread loads", kMeanStyle);
   figure.x = thread_axis(threads);
   return figure;
 }
 
 bool has_shares(const LoadCaseResult& result) { return result.threads && !result.full; }
+
+std::string state_of_loads(const Result& result) {
+  std::set<std::string> states;
+  for (const LoadCaseResult& r : result.load_cases) states.insert(words_of_text(name(r.loads)));
+  return fmt::format("{}", fmt::join(states, " and "));
+}
 
 Figures from_zero(std::optional<Figure> figure) {
   if (!figure) return {};
@@ -416,7 +426,7 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
 
 using enum Picture::Drawn;
 
-constexpr const char* kRange = "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal shares";
+constexpr const char* kRange = "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal thread loads";
 
 /// Whether a solve has not converged: its iterations are then shown.
 bool has_failed(const Result& r) {
@@ -429,16 +439,13 @@ bool has_several_threads(const Result& r) {
       r.load_cases, [](const LoadCaseResult& c) { return c.threads && c.threads->screw.axial_load.size() > 1; });
 }
 
-/// Pictures with titles that name the loads of the figures if the screw runs.
+/// Pictures with titles that say whether the screw is at rest or running.
 Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
-  const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
-  if (std::ranges::none_of(r.load_cases, runs)) return pictures;
-  const char* loads = std::ranges::all_of(r.load_cases, runs) ? ", running loads" : ", static and running loads";
   for (Picture& picture : pictures)
-    picture.make = [make = std::move(picture.make), loads](const FigureOptions& options) {
+    picture.make = [make = std::move(picture.make), &r](const FigureOptions& options) {
       Figures figures = make(options);
       for (Figure& figure : figures)
-        if (!figure.title.empty()) figure.title += loads;
+        if (!figure.title.empty()) figure.title += ", " + state_of_loads(r);
       return figures;
     };
   return pictures;
@@ -447,7 +454,7 @@ Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
 Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
   const Picture::Drawn of_threads = drawn_if(has_several_threads(r));
   Pictures all{
-      {"load_distribution", "a load case that converged, or equal shares", of_result(r, load_distribution), of_threads},
+      {"load_distribution", "a load case that converged, or equal thread loads", of_result(r, load_distribution), of_threads},
       {"peak_pressure", "load cases, and contacts that come from the threads", of_result(r, peak_pressure), of_threads},
       {"ellipses", "load cases, and contacts that come from the threads", of_result(r, ellipses), of_threads},
       {"displacement", kRange, of_result(r, displacement)},
@@ -458,7 +465,7 @@ Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
        }}};
   std::ranges::move(roller_pictures(r), std::back_inserter(all));
   std::ranges::move(motion_pictures(r), std::back_inserter(all));
-  all.push_back({"convergence", "at most a few load cases, not of equal shares", of_result(r, convergence),
+  all.push_back({"convergence", "at most a few load cases, not of equal thread loads", of_result(r, convergence),
                  has_failed(r) ? always : with_all});
   return all;
 }
@@ -579,7 +586,7 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   panel.series.push_back(std::move(rollers));
   constexpr double kUsual = 150.0;  // Smallest upper end, so that equal shares do not look like a peak.
   figure.colours =
-      ColourScale{"Share of the roller", "% of equal shares", std::min(0.0, range.from), std::max(kUsual, range.to)};
+      ColourScale{"Share of the roller", "% of the mean", std::min(0.0, range.from), std::max(kUsual, range.to)};
   const double reach = 1.25 * nut;
   figure.x = {"y", {}, -reach, reach};
   figure.y = {"z", {}, -reach, reach};

@@ -1,7 +1,10 @@
 #include "prs/losses/slip_analysis.h"
 
+#include <fmt/format.h>
+
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
+#include "prs/loads/load_pictures.h"
 #include "prs/losses/slip_criteria.h"
 #include "prs/losses/slip_figures.h"
 #include "prs/losses/slip_table.h"
@@ -15,7 +18,7 @@ void add_preload_notes(const Case& c, Result& result) {
   if (!some_load_has_both_flanks(c)) return add_preload_note(c, result.warnings);
   for (LoadCaseResult& r : result.load_cases)
     if (!has_both_flanks(c, r.load_case.share))
-      r.warnings.push_back({"preload", "share_without_preload", "equal shares are those of the external load alone",
+      r.warnings.push_back({"preload", "share_without_preload", "equal thread loads are those of the external load alone",
                             "leave out `share: equal` for loads with the preload"});
 }
 
@@ -103,7 +106,8 @@ PageSection slip_section(const Result& r) {
                             "efficiency"},
                            "Over the duty cycle"}},
           .folded = {"slip_patches", "slip_residue", "roller_friction"},
-          .estimates = {"equal_shares", "efficiency_fit"}};
+          .estimates = {"equal_shares", "efficiency_fit"},
+          .note = fmt::format("Losses, films and temperatures are those of thread loads {}.", state_of_loads(r))};
 }
 
 constexpr std::string_view kResponses[] = {"slip.efficiency",
@@ -345,7 +349,10 @@ const Analysis<Result>& slip_analysis() {
                                          .full_table = slip_text<true>,
                                          .notes = summary_of_warnings,
                                          .files = slip_files,
-                                         .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
+                                         .pictures =
+                                             [](const Result& r, const Case& c) {
+                                               return with_drawings(slip_pictures(c, r), c, r);
+                                             },
                                          .converged = have_slip,
                                          .headlines = losses,
                                          .criteria = slip_criteria,

@@ -160,7 +160,7 @@ class ReferenceReader {
     };
     for (std::size_t k = 0; k < names.size(); ++k)
       if (std::ranges::count(names, names[k]) > 1)
-        table.refuse_name(k, "which stands twice; expected it once; rename one");
+        table.refuse_name(k, "which occurs twice; expected it once; rename one");
     load_case_ = found(kLoadCase);
     if (load_case_ != npos && item_->load_case)
       fail("load_case", "got {}, and {} has a column `load_case`; expected one of the two; delete one",

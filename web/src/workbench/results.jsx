@@ -122,7 +122,7 @@ export function Warnings() {
   );
 }
 
-const ownPlaces = new Set(['verdict', 'warnings', 'studies', 'provenance']);
+const ownPlaces = new Set(['summary', 'verdict', 'warnings', 'studies', 'provenance']);
 
 export function Sections() {
   const v = current();
