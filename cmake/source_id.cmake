@@ -7,7 +7,7 @@ foreach(folder IN ITEMS contact fe modules prs simd validation/standard_screws w
   list(APPEND sources ${files})
 endforeach()
 list(FILTER sources EXCLUDE REGEX "^prs/cli/|\\.md$|CMakeLists")  # Words of the terminal, which no page has.
-foreach(source IN LISTS sources ITEMS cmake/webassembly.cmake web/build.mjs web/package-lock.json)
+foreach(source IN LISTS sources ITEMS docs/glossary.md cmake/webassembly.cmake web/build.mjs web/package-lock.json)
   file(SHA256 ${root}/${source} hash)
   string(APPEND content "${hash} ${source}\n")
 endforeach()

@@ -182,7 +182,7 @@ class FitReader : input::VariedInput {
       p.start = *there;
     } else {
       fail(path_ + ".path",
-           "got {}, of which the file says nothing and which has no default; expected a value there, or `start`; add "
+           "got {}, which the file does not state and which has no default; expected a value there, or `start`; add "
            "for example `start: {}`",
            shown(item.path), shown(item.from));
     }

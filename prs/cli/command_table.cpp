@@ -148,6 +148,7 @@ void add_report_options(CLI::App& command, Options& options) {
   add_page_options(command, options, "Write the page into this file");
   add_flag(command, "--static", options.without_engine,
            "Leave the engine and the scripts out: a page for reading and printing alone");
+  add_flag(command, "--summary", options.summary, "One sheet to sign: requirement, verdict, drawing, main numbers");
   add_json(command, options);
   add_quiet(command, options);
 }
@@ -284,6 +285,7 @@ constexpr OwnRow kOwnRows[] = {
     {"report", kAnalyse, "Write one page for a browser or a printer: everything that the case requests",
      add_report_options, report,
      "prs report case.yaml --output report.html\n"
+     "prs report case.yaml --summary --output summary.html\n"
      "prs report case.yaml --static --results results --output report.html"},
     {"explore", kAnalyse, "Write that page and open it in the browser, to try other values", add_explore_options,
      explore, "prs explore case.yaml\nprs explore case.yaml --output page.html"},

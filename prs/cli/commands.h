@@ -40,6 +40,7 @@ struct Options : OutputOptions {
   std::filesystem::path pages;                  ///< `prs manual`: folder for its pages.
   std::optional<std::filesystem::path> report;  ///< `prs report`: page to write.
   bool without_engine = false;                  ///< `prs report --static`.
+  bool summary = false;                         ///< `prs report --summary`.
   std::vector<std::filesystem::path> results;   ///< `prs report`: folders of stored results.
   std::string what;                             ///< `prs list`, `prs schema`: subject.
   std::vector<std::string> words;               ///< `prs help`: the command to explain.

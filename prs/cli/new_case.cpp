@@ -113,7 +113,7 @@ void add_new_options(CLI::App& command, NewOptions& options) {
   add("--nut-length", options.nut_length,
       "Of the whole nut, inverted: of the tube that the rollers travel in; default: by rule", "LENGTH");
   add("--roller-profile-radius", options.roller_profile_radius, "Of the convex rollers; default: 5 pitches", "LENGTH");
-  add("--load", options.load, "Axial; default: 1.8 GPa with equal shares", "FORCE");
+  add("--load", options.load, "Axial; default: 1.8 GPa with equal thread loads", "FORCE");
   add("--speed", options.speed, "Screw against nut; default: half of 150,000 mm/min over the diameter", "SPEED");
   add("--lubricant", options.lubricant, "One of `prs list lubricants`; default: iso-vg-100", "LUBRICANT");
   add("--temperature", options.temperature, "Of the lubricant; default: 60 degC", "TEMPERATURE");

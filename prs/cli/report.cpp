@@ -27,6 +27,7 @@ std::string command_of(const Options& options) {
   for (const std::string& text : options.overrides) command += " --set " + quoted(text);
   for (const std::filesystem::path& folder : options.results) command += " --results " + quoted(folder.string());
   if (options.without_engine) command += " --static";
+  if (options.summary) command += " --summary";
   if (options.units == UnitSystem::us) command += " --units us";
   if (options.report) command += " --output " + quoted(options.report->string());
   return command;
@@ -71,7 +72,8 @@ void write_html(const std::filesystem::path& path, std::string_view html) {
 /// Writes the page of a case to the place given by the options.
 Report write_page(const Options& options) {
   const input::Source source = case_source(options);
-  PageOptions asked{command_of(options), options.results, !options.without_engine, live_parts_folder()};
+  PageOptions asked{command_of(options), options.results, !options.without_engine, live_parts_folder(),
+                    options.summary};
   if (asked.results.empty()) asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
   const TableUnits units(options.units);
   Report report = make_report(source, asked);

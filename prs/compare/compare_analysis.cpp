@@ -119,7 +119,7 @@ constexpr Quantity<ModelComparison> kComparison[] = {
        for (std::size_t k = 0; k < c.load_cases(); ++k) loads.push_back({&c, k});
        return loads;
      }>,
-     "those that are solved, not of equal shares"},
+     "those that are solved, not of equal thread loads"},
 };
 
 }  // namespace

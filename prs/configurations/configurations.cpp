@@ -475,7 +475,7 @@ double load_of(const ScrewData& d, const Mechanism& m, const Contacts& contacts)
   const double most = moderate * std::pow(kGreatestPressure / kModeratePressure, 3);
   if (*d.load > most)
     throw CaseError("load", fmt::format("got {:.6g} kN; expected at most {:.6g} kN, with which "
-                                        "equal shares give {:g} GPa: twice the static capacity",
+                                        "equal thread loads give {:g} GPa: twice the static capacity",
                                         1e-3 * *d.load, 1e-3 * down(most), 1e-9 * kGreatestPressure));
   return *d.load;
 }

@@ -273,7 +273,7 @@ std::string loads_text(const CompleteScrew& s, ModelOf model) {
          case_remark(assumption(
              fmt::format("[{}, {}]", in_mark("tension"), in_mark("compression")),
              (d.load ? "the force is given"
-                     : fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "
+                     : fmt::format("the load of {:g} GPa with equal thread loads, 9 % of the static "
                                    "capacity by 4.0 GPa, but no more than {:g} MPa in the "
                                    "screw and {:g} times what brings an ellipse to the end of a "
                                    "flank",

@@ -542,7 +542,7 @@ LoadCase pattern_of(const Case& c, const CurveOptions& options) {
     if (load.is_solved()) names.append(names.empty() ? "" : ", ").append(load.name);
   if (names.empty())
     throw CaseError("load_cases",
-                    "got equal shares in each; expected one that the models solve for `export`; "
+                    "got equal thread loads in each; expected one that the models solve for `export`; "
                     "add a load case without `share: equal`");
   throw CaseError("load_cases",
                   fmt::format("there is none called `{}`; expected one of {}", *options.load_case, names));

@@ -773,7 +773,7 @@ void fields(const Fields& io, Life& l) {
   io("travel", l.travel, Quantity{unit::length, positive, "400 mm"}, optional_only_if(counted, of_counted),
      "Travel of one pass in both senses, ways without force included: for kilometres");
   io("stroke", l.stroke, Quantity{unit::length, positive, "150 mm"},
-     "Way between the extreme positions under load: makers ask for 1.5 lengths of the nut");
+     "Way between the extreme positions under load: catalogues require 1.5 lengths of the nut");
   const Quantity capacity{unit::force, positive};
   io("dynamic_capacity", l.dynamic_capacity, capacity, "Of a catalogue, in place of Lemor's formula");
   io("static_capacity", l.static_capacity, capacity, "Catalogue value, in addition to that by pressure");

@@ -65,7 +65,7 @@ class HistoryParser {
     for (WantedColumn& c : columns) {
       if (std::ranges::count(names, c.name->column) > 1)
         fail_at(source_, fmt::format("{}.{}.column", block_, c.key),
-                fmt::format("got {}, which stands twice in the heading of {}; expected one column "
+                fmt::format("got {}, which occurs twice in the heading of {}; expected one column "
                             "of that name; rename the other one",
                             shown(c.name->column), name_));
       const auto found = std::ranges::find(names, c.name->column);

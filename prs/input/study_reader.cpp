@@ -313,7 +313,7 @@ class FactorReader : VariedInput {
     else if (f.within)
       read_tolerance(factor, value, slot);
     else if (!value)
-      refuse_at("path", fmt::format("got {}, of which the file says nothing; expected a value to "
+      refuse_at("path", fmt::format("got {}, which the file does not state; expected a value to "
                                     "derive by; add it to the file",
                                     shown(factor.path)));
   }
@@ -336,7 +336,7 @@ class FactorReader : VariedInput {
                                                   "for example `mean: 5 mm`",
                                                   shown(*normal.mean)));
     if (!mean && !value)
-      return refuse_at("normal", fmt::format("missing `mean`; expected it where the file says nothing of {}; "
+      return refuse_at("normal", fmt::format("missing `mean`; expected it where the file does not state {}; "
                                              "add for example `mean: {}`",
                                              shown(factor.path), with_unit("0", factor.unit)));
     const std::optional<double> deviation = difference_in(normal.deviation, factor.unit);

@@ -153,9 +153,9 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
      "ISO 76:2006", "static capacity, real thread loads"},
     {"flank_edge_load_N", of_flank<&FlankLife::flank_edge_load>,
      "force at which the first ellipse reaches a crest or root", source::kHertz,
-     "load at the edge of a flank, real thread loads"},
+     "load at which edge loading begins, real thread loads"},
     {"flank_edge_margin", of_flank<&FlankLife::flank_edge_margin>, "that force over the largest force", source::kHertz,
-     "margin of the flank's edge"},
+     "safety against edge loading"},
     {"static_safety", of_flank<&FlankLife::static_safety>,
      "stated static capacity, else force at which the first thread has 4.0 GPa, over the largest force", "ISO 76"},
     {"static_safety_limit", of<[](auto& d) {
@@ -234,7 +234,7 @@ constexpr Quantity<Capacity> kCapacity[] = {
      "ISO 76:2006", "static capacity, equal thread loads"},
     {"flank_edge_load_equal_shares_N", of<[](auto& c) { return c.life->equal_shares_flank_edge_load; }>,
      "force at which ellipses of equal loads reach a crest or root", source::kHertz,
-     "load at the edge of a flank, equal thread loads"},
+     "load at which edge loading begins, equal thread loads"},
     {"static_capacity_given_N", of<[](auto& c) { return c.life->life.static_capacity; }>, "life.static_capacity"},
 };
 
@@ -292,10 +292,10 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"converged", of<converged>, "whether every load has an equilibrium"},
     {"status", of<&LifeResult::failure>, "why there are no lives"},
     {"share", of<[](auto& r) { return r.life.share == LoadCase::Share::equal ? "equal" : "solved"; }>,
-     "solved | equal: thread loads", "", "thread loads"},
+     "solved | equal: thread loads", "", "sharing of the load"},
     {"thread_loads", of<&LifeResult::loads>,
      "static | running: of a screw that turns, with friction; static safety is always static", "",
-     "loads that fatigue stands on"},
+     "thread loads for the life"},
     {"temperature_degC",
      of<[](auto& r) { return r.temperature ? std::optional(celsius_of(*r.temperature)) : std::nullopt; }>,
      "of the parts under all loads: that at which the mean heat of the spectrum flows off, or the "

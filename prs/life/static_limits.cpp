@@ -61,7 +61,7 @@ std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_loa
                                        double load) {
   if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load)) return std::nullopt;
   return Warning{"", "flank_edge_near",
-                 fmt::format("the load is {:.1f} % of the {{limit}} at which {} reaches the end of a "
+                 fmt::format("the load is {:.1f} % of the {{limit}} at which {} reaches the edge of a "
                              "flank, which is below the static capacity of {{{:.4g} kN}}; expected at most "
                              "{:.0f} %",
                              load / edge_load * "%"_per_si, ellipse, static_capacity * "kN"_per_si,

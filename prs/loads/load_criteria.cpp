@@ -42,7 +42,7 @@ FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, 
     if (std::abs(r.load_case.axial_force) < (1.0 - kLimitRounding) * largest) continue;
     const auto take = [&](std::optional<double> stiffness, std::string_view kind) {
       if (!stiffness) return;
-      std::string note = fmt::format("largest force{}{}", of.without_preload(), kind);
+      std::string note = fmt::format("largest force, {}{}{}", words_of_text(name(r.loads)), of.without_preload(), kind);
       const std::optional<InSeries> others = of.limits.stiffness && in_series ? in_series(k) : std::nullopt;
       if (others) {
         found.title = others->title;
@@ -80,7 +80,8 @@ FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_res
     for (const Interface i : kInterfaces)
       if (const auto pressure = largest_pressure(result, r, i))
         found.take(*pressure * "MPa"_per_si, r.load_case.name,
-                   fmt::format("roller-{}{}", name(i), at_rest ? at_rest->without_preload() : ""));
+                   fmt::format("roller-{}, {}{}", name(i), words_of_text(name(r.loads)),
+                               at_rest ? at_rest->without_preload() : ""));
   }
   return found;
 }

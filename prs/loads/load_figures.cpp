@@ -1,3 +1,7 @@
+#include <fmt/ranges.h>
+
+#include <set>
+
 #include "prs/indices.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
@@ -113,12 +117,19 @@ Figure thread_figure(const ThreadPlot& plot, const Result& result, const FigureO
       }
     }
   }
-  if (has_level) figure.add("every thread with equal shares", kMeanStyle);
+  if (has_level) figure.add("every thread with equal thread loads", kMeanStyle);
   figure.x = thread_axis(threads);
   return figure;
 }
 
 bool has_shares(const LoadCaseResult& result) { return result.threads && !result.full; }
+
+/// Whether the loads of the cases are those of a screw at rest or running, in words.
+std::string state_of_loads(const Result& result) {
+  std::set<std::string> states;
+  for (const LoadCaseResult& r : result.load_cases) states.insert(words_of_text(name(r.loads)));
+  return fmt::format("{}", fmt::join(states, " and "));
+}
 
 Figure from_zero(Figure figure) {
   fit_y_range(figure, true);
@@ -414,7 +425,8 @@ Figure ellipses(const Result&, const LoadCaseResult& shown) {
 
 using enum Picture::Drawn;
 
-constexpr const char* kRange = "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal shares";
+constexpr const char* kRange =
+    "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal thread loads";
 
 /// Whether a solve has not converged: its iterations are then shown.
 bool has_failed(const Result& r) {
@@ -427,16 +439,13 @@ bool has_several_threads(const Result& r) {
       r.load_cases, [](const LoadCaseResult& c) { return c.threads && c.threads->screw.axial_load.size() > 1; });
 }
 
-/// Pictures with titles that name the loads of the figures if the screw runs.
+/// Pictures with titles that say whether the screw is at rest or running.
 Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
-  const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
-  const bool some = std::ranges::any_of(r.load_cases, runs), all = std::ranges::all_of(r.load_cases, runs);
-  const char* loads = !some ? ", at rest" : all ? ", running" : ", at rest and running";
   for (Picture& picture : pictures)
-    picture.make = [make = std::move(picture.make), loads](const FigureOptions& options) {
+    picture.make = [make = std::move(picture.make), &r](const FigureOptions& options) {
       Figures figures = make(options);
       for (Figure& figure : figures)
-        if (!figure.title.empty()) figure.title += loads;
+        if (!figure.title.empty()) figure.title += ", " + state_of_loads(r);
       return figures;
     };
   return pictures;
@@ -445,7 +454,8 @@ Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
 Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
   const Picture::Drawn of_threads = drawn_if(has_several_threads(r));
   Pictures all{
-      {"load_distribution", "a load case that converged, or equal shares", of_result(r, load_distribution), of_threads},
+      {"load_distribution", "a load case that converged, or equal thread loads", of_result(r, load_distribution),
+       of_threads},
       {"peak_pressure", "load cases, and contacts that come from the threads", of_result(r, peak_pressure), of_threads},
       {"ellipses", "load cases, and contacts that come from the threads", of_case(r, has_ellipses, ellipses),
        of_threads},
@@ -457,7 +467,7 @@ Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
        }}};
   append(all, roller_pictures(r));
   append(all, motion_pictures(r));
-  all.push_back({"convergence", "at most a few load cases, not of equal shares", of_result(r, convergence),
+  all.push_back({"convergence", "at most a few load cases, not of equal thread loads", of_result(r, convergence),
                  has_failed(r) ? always : with_all});
   return all;
 }
@@ -575,7 +585,7 @@ Figure roller_shares(const Result& result, const LoadCaseResult& shown) {
   panel.series.push_back(std::move(rollers));
   constexpr double kUsual = 150.0;  // Smallest upper end, so that equal shares do not look like a peak.
   figure.colours =
-      ColourScale{"Share of the roller", "% of equal shares", std::min(0.0, range.from), std::max(kUsual, range.to)};
+      ColourScale{"Share of the roller", "% of the mean", std::min(0.0, range.from), std::max(kUsual, range.to)};
   const double reach = 1.25 * nut;
   figure.x = {"y", {}, -reach, reach};
   figure.y = {"z", {}, -reach, reach};

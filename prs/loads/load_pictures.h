@@ -44,6 +44,9 @@ struct ThreadPlot {
 /// case for which `keep` is true.
 Figure thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options);
 
+/// `at rest`, `running` or `at rest and running`: the loads of all cases, for titles.
+std::string state_of_loads(const Result& result);
+
 /// Whether one roller represents all.
 bool has_shares(const LoadCaseResult& result);
 

@@ -135,10 +135,10 @@ std::size_t shown_roller(const LoadCaseResult& r) {
   return r.full ? static_cast<std::size_t>(r.threads->screw.rollers->largest_roller - 1) : 0;
 }
 
-constexpr const char* kRelativeLoad = "Load over that of equal shares";
+constexpr const char* kRelativeLoad = "Load over the mean of the threads";
 
 ColourScale scale_of(const Range& range) {
-  constexpr double kUsual = 1.5;  // Smallest upper end, so that equal shares do not look like a peak.
+  constexpr double kUsual = 1.5;  // Smallest upper end, so that equal loads do not look like a peak.
   return {kRelativeLoad, {}, std::min(0.0, range.from), std::max(kUsual, range.to)};
 }
 
@@ -251,8 +251,9 @@ void add_ring(Figure& figure, Panel& panel, Part part, double outer, double inne
       {figure.add(line_of(colour_of(part), Dash::solid, Weight::thin)), {circle(0, 0, outer), circle(0, 0, inner)}});
 }
 
-std::string shown_title(const char* what, const LoadCaseResult* shown) {
-  return shown ? fmt::format("{}, {}", what, shown_name(shown->load_case.name)) : what;
+std::string shown_title(std::string what, const LoadCaseResult* shown) {
+  return shown ? fmt::format("{}, {}, {}", what, shown_name(shown->load_case.name), words_of_text(name(shown->loads)))
+               : what;
 }
 
 const LoadCaseResult* case_shown(const Result& result, const FigureOptions& options) {
@@ -347,7 +348,7 @@ Figure mechanism_end(const Case& c, const Result& result, const FigureOptions& o
   if (all) {
     panel.series.push_back({figure.add(area_of(colour_of(Part::roller))), circles, shares});
     figure.colours = scale_of(range);
-    figure.colours->label = "Share of the roller over that of equal shares";
+    figure.colours->label = "Load of the roller over the mean of all";
   } else {
     add_body(figure, panel, Part::roller, circles);
   }
@@ -369,7 +370,7 @@ std::string words_of_thread(const ChosenThread& chosen) {
 }
 
 std::string picture_title(const char* what, const ChosenThread& chosen) {
-  return fmt::format("{}, {}, {}", what, words_of_thread(chosen), shown_name(chosen.load_case->load_case.name));
+  return shown_title(fmt::format("{}, {}", what, words_of_thread(chosen)), chosen.load_case);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ std::string lives(const LifeResult& r, bool all) {
   const bool by_the_clock = r.duration.has_value();
   std::vector<std::string> heads{"million rev.", by_the_clock ? "hours" : "h of motion", with_table_unit("km")};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
-  std::string text = kLifeRows("  Life L10", heads);
+  std::string text = kLifeRows("  Life L10, thread loads " + words_of_text(name(r.loads)), heads);
   const std::string_view system = solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
   text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), headline);
   if (is_rated(r))
@@ -117,7 +117,7 @@ std::string capacities(const LifeResult& r, bool all) {
   if (r.equal_shares_static_capacity) {
     text += life_line("force at the pressure limit", by_direction(r, &FlankLife::static_capacity));
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
-    text += life_line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
+    text += life_line("force at which edge loading begins", by_direction(r, &FlankLife::flank_edge_load));
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
   text += life_line("static safety", r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
@@ -308,7 +308,7 @@ Panel travel_panel(const LifeResult& r) {
 /// Equivalent axial load of each thread.
 Figure thread_loads(const LifeResult& r) {
   if (!has_lives(r)) return {};
-  Figure figure{"thread_loads", "Equivalent axial load of a thread"};
+  Figure figure{"thread_loads", "Equivalent axial load of a thread, " + words_of_text(name(r.loads))};
   figure.y = {"Axial load", "N"};
   figure.add("equivalent load, cubic mean", area_of(Colour::sky));
   if (r.cycles)
@@ -329,7 +329,7 @@ Figure thread_loads(const LifeResult& r) {
 /// Basic rating life of each thread on all rollers.
 Figure thread_lives(const LifeResult& r) {
   if (!has_lives(r)) return {};
-  Figure figure{"thread_lives", "Life of a thread on all rollers"};
+  Figure figure{"thread_lives", "Life of a thread on all rollers, " + words_of_text(name(r.loads))};
   figure.y = {"L10", "10⁹ revolutions"};
   figure.y.logarithmic = true;
   figure.add("thread", points_of(Colour::blue, Mark::circle));
@@ -419,8 +419,8 @@ PageSection life_section(const LifeResult& r) {
           ? std::vector<std::string>{"l10_revolutions", "l10_hours", "l10_travel_km", "l10_passes"}
           : std::vector<std::string>{"rated_revolutions", "rated_hours", "rated_travel_km", "rated_passes"};
   PageSection page{.in_document = {{"life",
-                                    {"status", "share", "reliability_factor", "modification_factor", "static_safety",
-                                     "static_safety_limit"}}},
+                                    {"status", "share", "thread_loads", "reliability_factor", "modification_factor",
+                                     "static_safety", "static_safety_limit"}}},
                    .folded = {"thread_lives"}};
   if (stated) page.in_document.push_back({"life.catalogue", lives});
   page.in_document.push_back({"life.system", lives});

@@ -50,7 +50,7 @@ Panel side_panel(const PreloadResult& r) {
 /// Displacement and tangent stiffness over the external load, with preload and without, and the load of each side.
 Figure preload_curves(const PreloadResult& r) {
   if (!r.at_rest.solve.converged()) return {};
-  Figure figure{"preload", r.preload.backlash ? "Axial play" : "Preload"};
+  Figure figure{"preload", r.preload.backlash ? "Axial play, at rest" : "Preload, at rest"};
   figure.x = {std::string(kSignedForce), "kN", r.preload.load.from * "kN"_per_si, r.preload.load.to * "kN"_per_si};
   figure.columns = 3;
   figure.aspect = 1.1;

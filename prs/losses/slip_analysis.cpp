@@ -1,7 +1,10 @@
 #include "prs/losses/slip_analysis.h"
 
+#include <fmt/format.h>
+
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
+#include "prs/loads/load_pictures.h"
 #include "prs/losses/slip_criteria.h"
 #include "prs/losses/slip_figures.h"
 #include "prs/losses/slip_table.h"
@@ -15,7 +18,8 @@ void add_preload_notes(const Case& c, Result& result) {
   if (!some_load_has_both_flanks(c)) return add_preload_note(c, result.warnings);
   for (LoadCaseResult& r : result.load_cases)
     if (!has_both_flanks(c, r.load_case.share))
-      r.warnings.push_back({"preload", "share_without_preload", "equal shares are those of the external load alone",
+      r.warnings.push_back({"preload", "share_without_preload",
+                            "equal thread loads are those of the external load alone",
                             "leave out `share: equal` for loads with the preload"});
 }
 
@@ -103,7 +107,8 @@ PageSection slip_section(const Result& r) {
                             "efficiency"},
                            "Over the duty cycle"}},
           .folded = {"slip_patches", "slip_residue", "roller_friction"},
-          .estimates = {"equal_shares", "efficiency_fit"}};
+          .estimates = {"equal_shares", "efficiency_fit"},
+          .note = fmt::format("Losses, films and temperatures are those of thread loads {}.", state_of_loads(r))};
 }
 
 constexpr std::string_view kResponses[] = {"slip.efficiency",
@@ -334,26 +339,27 @@ const Analysis<Result>& slip_analysis() {
       {{"load_cases[].heat", describe<HeatResult>, false, "with `heat`: loads and slip are those at its temperatures"},
        {"load_cases[].slip", describe<SlipResult>, false, "of `prs slip`"},
        {"heat_cycle", describe<HeatCycle>, false}});
-  static const Analysis<Result> analysis{.command = Command::slip,
-                                         .help = "Slip, friction, dissipated power, efficiency and torques",
-                                         .file = "slip.json",
-                                         .run = slips_of,
-                                         .places = places,
-                                         .put = put_slips,
-                                         .load_case = slip_case_json,
-                                         .table = slip_text<false>,
-                                         .full_table = slip_text<true>,
-                                         .notes = summary_of_warnings,
-                                         .files = slip_files,
-                                         .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
-                                         .converged = have_slip,
-                                         .headlines = losses,
-                                         .criteria = slip_criteria,
-                                         .all_warnings = all_warnings,
-                                         .place = {"Slip and losses", 2},
-                                         .section = slip_section,
-                                         .responses = kResponses,
-                                         .takes_load_cases_apart = true};
+  static const Analysis<Result> analysis{
+      .command = Command::slip,
+      .help = "Slip, friction, dissipated power, efficiency and torques",
+      .file = "slip.json",
+      .run = slips_of,
+      .places = places,
+      .put = put_slips,
+      .load_case = slip_case_json,
+      .table = slip_text<false>,
+      .full_table = slip_text<true>,
+      .notes = summary_of_warnings,
+      .files = slip_files,
+      .pictures = [](const Result& r, const Case& c) { return with_drawings(slip_pictures(c, r), c, r); },
+      .converged = have_slip,
+      .headlines = losses,
+      .criteria = slip_criteria,
+      .all_warnings = all_warnings,
+      .place = {"Slip and losses", 2},
+      .section = slip_section,
+      .responses = kResponses,
+      .takes_load_cases_apart = true};
   return analysis;
 }
 

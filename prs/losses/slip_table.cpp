@@ -51,10 +51,8 @@ std::string beside(const std::vector<std::string>& cells) {
 std::string title_line(const LoadCaseResult& result) {
   std::string load = fixed_with_unit(result.load_case.axial_force, "kN", force_decimals(result.load_case.axial_force));
   if (result.load_case.direction) load += fmt::format(", {}", name(*result.load_case.direction));
-  if (result.load_case.share == LoadCase::Share::equal)
-    load += ", equal shares";
-  else
-    load += fmt::format(", {} loads", name(result.loads));
+  load += result.load_case.share == LoadCase::Share::equal ? ", equal thread loads"
+                                                           : ", thread loads " + words_of_text(name(result.loads));
   if (has_slip(result)) load += fmt::format(", {:.6g} rpm", result.slip->speed * "rpm"_per_si);
   constexpr std::size_t kSeparator = 2;
   const std::size_t room = kTableWidth - kSeparator - width(load);

@@ -60,7 +60,8 @@ std::vector<Headline> overloads(const Result& result) {
     for (const LoadCaseResult& load : result.load_cases)
       if (const auto* rollers = load.threads ? &(*load.threads)[i].rollers : nullptr;
           rollers && *rollers && (*rollers)->overload_factor > worst.value)
-        worst = {std::move(worst.title), worst.key, (*rollers)->overload_factor, load.load_case.name};
+        worst = {std::move(worst.title), worst.key, (*rollers)->overload_factor,
+                 fmt::format("{}, {}", load.load_case.name, words_of_text(name(load.loads)))};
     if (!worst.where.empty()) headlines.push_back(std::move(worst));
   }
   return headlines;

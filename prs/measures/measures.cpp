@@ -337,12 +337,12 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& 
     if (load_measures.flank_edge_margin && m.static_capacity)
       add(flank_edge_near("an ellipse", *load_measures.flank_edge_margin * force, *m.static_capacity, force));
   } else if (const auto rating = equal_shares_static_rating(c, m)) {
-    add(beyond_static_rating(force, *rating, "with equal shares, "));
+    add(beyond_static_rating(force, *rating, "with equal thread loads, "));
   }
   for (const Interface i : kInterfaces)
     if (!solved && m.interface_flank_edge_load[i] && m.static_capacity)
-      add(flank_edge_near(fmt::format("with equal shares, the {} ellipse", label(i)), *m.interface_flank_edge_load[i],
-                          *m.static_capacity, force),
+      add(flank_edge_near(fmt::format("with equal thread loads, the {} ellipse", label(i)),
+                          *m.interface_flank_edge_load[i], *m.static_capacity, force),
           fmt::format("{}_", name(i)));
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)

@@ -158,7 +158,7 @@ std::string table_without(const MeasuresResult& result, const Keys& hidden) {
   text += "\nFormulas, validity and sources: prs measures --explain\n";
   if (!hidden.empty())
     text +=
-        "Estimates of what prs slip and prs life compute, and with equal shares: prs measures "
+        "Estimates of what prs slip and prs life compute, and with equal thread loads: prs measures "
         "--all\n";
   return text + warning_section(all_warnings(result.analysis));
 }
@@ -295,7 +295,7 @@ Figures yang(const MeasuresResult& result) {
 /// Compliances: contacts that share each load equally, teeth, body sections of one pitch, the screw's shaft. Their sum
 /// is not the compliance of the screw.
 Figures stiffness_terms(const MeasuresResult& result) {
-  Figure figure{"stiffness_terms", "Stiffness terms: contacts with equal shares, bodies over one pitch"};
+  Figure figure{"stiffness_terms", "Stiffness terms: contacts with equal thread loads, bodies over one pitch"};
   std::vector<std::size_t> cases = cases_with_contacts(result);
   keep_first(cases, kMostBarCases, figure.title);
   const std::vector<Compliance> bodies = body_compliances(result);

@@ -7,7 +7,7 @@
 namespace prs {
 namespace {
 
-/// The margin of the flank's edge with the shares of threads as they are under a load case.
+/// Safety against edge loading with the shares of threads as they are under a load case.
 std::optional<double> flank_edge_estimate(const MeasuresResult& r, std::size_t k) {
   const LoadCaseResult& loaded = r.analysis.load_cases[k];
   const auto& threads = loaded.threads;
@@ -33,20 +33,19 @@ void take_static_limits(const MeasuresResult& r, const JudgedCase& of, FoundCrit
     const LoadCase& load = loaded.load_case;
     if (!m || of.preloaded.contains(load.name)) continue;
     const std::string_view shares =
-        load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load";
+        load.share == LoadCase::Share::equal ? "equal thread loads" : "estimate with the thread loads under this force";
     if (m->solved_static_safety)
       safety.take(m->solved_static_safety, load.name,
-                  fmt::format("{}{}", describe(*m->solved_static_safety_limit), without_preload));
+                  fmt::format("{}, at rest{}", describe(*m->solved_static_safety_limit), without_preload));
     else if (m->thread_static_safety)
       safety.take(*m->thread_static_safety /
                       (*m->thread_static_safety_limit == StaticLimit::given ? 1.0 : rise_elsewhere(loaded)),
                   load.name,
-                  fmt::format("{}, {}{}", shares, describe(*m->thread_static_safety_limit), without_preload));
+                  fmt::format("{}, {}, at rest{}", shares, describe(*m->thread_static_safety_limit), without_preload));
     if (m->flank_edge_margin)
-      edge.take(m->flank_edge_margin, load.name,
-                without_preload.substr(std::min<std::size_t>(2, without_preload.size())));
+      edge.take(m->flank_edge_margin, load.name, fmt::format("at rest{}", without_preload));
     else
-      edge.take(flank_edge_estimate(r, k), load.name, fmt::format("{}{}", shares, without_preload));
+      edge.take(flank_edge_estimate(r, k), load.name, fmt::format("{}, at rest{}", shares, without_preload));
   }
 }
 

@@ -85,7 +85,7 @@ void need_compare(const Case& c, Problems& problems) {
   require_loads(c, Command::compare, problems);
   if (!c.load_cases.empty() && std::ranges::none_of(c.load_cases, &LoadCase::is_solved))
     problems.add("load_cases",
-                 "got equal shares in each; expected one that the models solve; add a load case "
+                 "got equal thread loads in each; expected one that the models solve; add a load case "
                  "without `share: equal` for `compare`");
 }
 

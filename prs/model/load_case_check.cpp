@@ -267,7 +267,7 @@ void check_load_case_of_life(const Case& c, Problems& problems) {
   if (!c.life->load_case || !c.model.all_rollers()) return;
   if (c.life->share == LoadCase::Share::equal) {
     problems.add("life.load_case",
-                 "stands with `share: equal`, which has all rollers carry alike; expected no such "
+                 "cannot be combined with `share: equal`, by which all rollers carry the same; expected no such "
                  "key there; delete it, or delete `share`");
     return;
   }

@@ -159,7 +159,7 @@ void refuse_in_sector(const Case& c, Problems& problems) {
   const auto refuse = [&](bool stands, std::string_view block, std::string_view key) {
     if (!stands) return;
     problems.add(fmt::format("{}.{}", block, key),
-                 "stands with `mechanism: sector`, which has one roller and no side loads; "
+                 "cannot be combined with `mechanism: sector`, which has one roller and no side loads; "
                  "expected no such key there; delete it, or write `model: {mechanism: full}`");
   };
   refuse(c.model.contact_phase != ModelOptions::ContactPhase::equal, "model", "contact_phase");
@@ -272,7 +272,7 @@ void check_equal_shares(const Case& c, Problems& problems) {
     const auto refuse = [&](bool stands, std::string_view key) {
       if (stands)
         problems.add(fmt::format("{}.{}", load.input_path, key),
-                     "stands with `share: equal`, which has all rollers carry alike; expected no "
+                     "cannot be combined with `share: equal`, by which all rollers carry the same; expected no "
                      "such key there; delete it, or delete `share`");
     };
     refuse(s.side_force.value != Lateral{}, "side_force");
@@ -409,7 +409,7 @@ void check_motion(const Case& c, Problems& problems) {
     const std::string path = load.input_path + ".modes";
     if (!c.model.bodies->masses)
       problems.add(path,
-                   "stands with `model.bodies` other than bars, whose masses are not in the model; "
+                   "cannot be combined with `model.bodies` other than bars, whose masses are not in the model; "
                    "expected no such key there; delete it, or write `bodies: bars`");
     if (load.modes->positions && !load.travel)
       problems.add(path + ".positions",

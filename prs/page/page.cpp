@@ -11,6 +11,7 @@
 #include "prs/input/schema.h"
 #include "prs/page/live_parts.h"
 #include "prs/report/findings.h"
+#include "prs/report/tables.h"
 #include "prs/run/commands.h"
 #include "prs/run/lists.h"
 #include "prs/sha256.h"
@@ -141,18 +142,6 @@ std::string script_policy(const LiveParts& parts, const LiveParts::Packed& own) 
                      policy_hash(parts.start), own.hash, parts.mechanism.hash);
 }
 
-/// A sentence with commands between backquotes.
-std::string sentence_html(std::string_view sentence) {
-  std::string text;
-  bool command = false;
-  for (const char c : sentence)
-    if (c == '`')
-      text += (command = !command) ? "<code>" : "</code>";
-    else
-      text += c;
-  return text;
-}
-
 /// The style of all pages: their rules, those of pictures and the colours of scales.
 std::string style_of_pages() {
   return fmt::format("{}{}:root{{--scale:{}}}\n", style_sheet(), svg_style(), fmt::join(kScaleColours, ","));
@@ -165,7 +154,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts, con
   const std::string panel_or_reason =
       live            ? fmt::format(fmt::runtime(panel()), parts.controls)
       : still.empty() ? ""
-                      : fmt::format("<p id=\"static\">This page is static: {}.</p>\n", sentence_html(still));
+                      : fmt::format("<p id=\"static\">This page is static: {}.</p>\n", prose_html(still));
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
     links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id, section.title);
@@ -185,7 +174,10 @@ std::string page_html(const input::Source& source, const ReportParts& parts, con
       fmt::runtime(page()), fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
       fmt::arg("style_hash", policy_hash(style)), fmt::arg("scripts", policy), fmt::arg("title", html(parts.title)),
       fmt::arg("style", style), fmt::arg("changed", live ? "<p id=\"changed\" hidden></p>\n" : ""),
-      fmt::arg("kind", live ? " is-live" : ""), fmt::arg("head", parts.head), fmt::arg("links", links),
+      fmt::arg("kind", live                         ? " is-live"
+                       : parts.sections.size() == 1 ? " is-summary"
+                                                    : ""),
+      fmt::arg("head", parts.head), fmt::arg("links", links),
       // Shown by the script only.
       fmt::arg("panel", panel_or_reason), fmt::arg("body", body), fmt::arg("foot", parts.foot), fmt::arg("data", data));
 }
@@ -223,9 +215,9 @@ std::string workbench_page(const LiveParts& parts, const std::optional<input::So
 }
 
 Report make_report(const input::Source& source, const PageOptions& options) {
-  const bool asked_live = options.live && !other_file(source);
+  const bool asked_live = options.live && !options.summary && !other_file(source);
   const LiveParts live = asked_live ? read_live_parts(options.live_parts) : LiveParts{};
-  ReportOptions asked{options.command, options.results};
+  ReportOptions asked{.command = options.command, .results = options.results, .summary = options.summary};
   const auto report = [](std::string page, ReportParts parts) {
     return Report{std::move(page), std::move(parts.data), std::move(parts.notes), parts.converged};
   };

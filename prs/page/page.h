@@ -14,6 +14,7 @@ struct PageOptions {
   /// Folder of the engine and the scripts (`read_live_parts`). If they are absent or of other sources, the page is
   /// static and a note gives the reason.
   std::filesystem::path live_parts = {};
+  bool summary = false;  ///< Whether the page is the sheet to sign alone, without scripts.
 };
 
 /// All results of a case on one page.

@@ -618,7 +618,7 @@ Axis ranked_axis(const std::vector<std::string>& names) {
 }
 
 void add_mean(Figure& figure, double mean) {
-  const std::size_t style = figure.add("equal shares", kMeanStyle);
+  const std::size_t style = figure.add("equal thread loads", kMeanStyle);
   for (Panel& panel : figure.panels) panel.references.push_back({style, mean});
 }
 

@@ -34,10 +34,24 @@ bool is_zero(std::string_view text) { return text.find_first_not_of("+-0.") == t
 }  // namespace
 
 ResponseTitle response_title(std::string_view path) {
+  // Words of catalogues for keys, and places, which stand behind the quantity.
+  constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"load_rate", "share of the load"},
+                                                                      {"solved_static_safety", "static safety"},
+                                                                      {"l10_hours", "L10 in hours"},
+                                                                      {"l10_revolutions", "L10 in revolutions"},
+                                                                      {"max", "largest "},
+                                                                      {"min", "smallest "},
+                                                                      {"mean", "mean "}};
+  constexpr std::pair<std::string_view, std::string_view> kPlaces[] = {
+      {"system", "mechanism"}, {"catalogue", "by the catalogue's formula"}, {"weakest_thread", "weakest thread"}};
+  const auto word = [](const auto& words, std::string_view key) {
+    const auto found = std::ranges::find(words, key, [](const auto& row) { return row.first; });
+    return found == std::end(words) ? std::string_view() : found->second;
+  };
   ResponseTitle title{{}, std::string(unit_at(path).text)};
   const bool of_threads = path.starts_with("screw.") || path.starts_with("nut.") || path.starts_with("slip.screw.") ||
                           path.starts_with("slip.nut.");
-  std::string& name = title.name;
+  std::string summary, name, places;
   while (!path.empty()) {
     const std::size_t end = std::min(path.find('.'), path.size());
     std::string_view key = path.substr(0, end);
@@ -45,16 +59,24 @@ ResponseTitle response_title(std::string_view path) {
     const bool of_rollers = of_threads && key.starts_with("roller_share");
     std::string index = take_index(key, of_rollers ? "roller" : of_threads ? "thread" : "");
     if (key.ends_with(']')) index = take_index(key, of_threads ? "roller" : "") + index;
+    std::string_view words = word(kWords, key);
     key.remove_suffix(unit_of(key).suffix.size());
-    if (key == "slip" || key == "contact" || key == "measures") continue;
-    const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
-    const bool is_part = key == "screw" || key == "roller" || key == "nut" || key.starts_with("carrier_");
-    const std::string_view space = name.empty() ? "" : " ";
-    name = is_summary || is_part ? fmt::format("{}{}{}", key, space, name)
-                                 : fmt::format("{}{}{}{}", name, space, key, index);
+    if (key == "slip" || key == "contact" || key == "measures" || key == "heat") continue;
+    if (path.empty() && (key == "max" || key == "min" || key == "mean")) {
+      summary = words;
+    } else if (key == "screw" || key == "roller" || key == "nut" || key.starts_with("carrier_")) {
+      places = fmt::format(", {}{}", key, places);
+    } else if (const std::string_view place = word(kPlaces, key); !place.empty()) {
+      places += fmt::format(", {}", place);
+    } else {
+      if (words.empty()) words = word(kWords, key);
+      name += fmt::format("{}{}", name.empty() ? "" : " ", words.empty() ? key : words);
+    }
+    (index.starts_with('[') ? name : places) += index;
   }
-  std::ranges::replace(name, '_', ' ');
-  name = printable(name);
+  title.name = summary + name + (name.empty() ? places.substr(std::min<std::size_t>(2, places.size())) : places);
+  std::ranges::replace(title.name, '_', ' ');
+  title.name = printable(title.name);
   return title;
 }
 
@@ -201,7 +223,7 @@ std::string ended(std::string line) {
 
 std::string words_of_text(std::string_view text) {
   constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-      {"flank_edge", "flank's edge"}, {"lemor", "Lemor's formula"}, {"given", "stated value"}};
+      {"flank_edge", "edge loading"}, {"lemor", "Lemor's formula"}, {"given", "stated value"}, {"static", "at rest"}};
   for (const auto& [known, words] : kWords)
     if (text == known) return std::string(words);
   std::string words(text);

@@ -157,7 +157,7 @@ class ReferenceReader {
     };
     for (const auto k : indices(names))
       if (std::ranges::count(names, names[k]) > 1)
-        table.refuse_name(k, "which stands twice; expected it once; rename one");
+        table.refuse_name(k, "which occurs twice; expected it once; rename one");
     load_case_ = found(kLoadCase);
     if (load_case_ != npos && item_->load_case)
       fail("load_case", "got {}, and {} has a column `load_case`; expected one of the two; delete one",

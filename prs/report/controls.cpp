@@ -351,9 +351,7 @@ void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t threa
 
 /// Loads, pressures, friction of one thread, with its pictures.
 std::string thread_html(Findings& all, const ThreadChoice& choice) {
-  const CommandAnswer* slip = all.answer(Command::slip);
-  const CommandAnswer* loads = all.most_complete();
-  const CommandAnswer* numbers = slip ? slip : loads;
+  const CommandAnswer* numbers = all.of_threads();
   if (!numbers) return {};
   const Result& result = *numbers->delivery.result<Result>();
   if (choice.load_case >= result.load_cases.size()) return "<p>There is no such load case.</p>\n";
@@ -366,22 +364,19 @@ std::string thread_html(Findings& all, const ThreadChoice& choice) {
                   rows);
   std::string text;
   const FigureOptions options{.load_case = choice.load_case, .thread = choice.thread};
-  const auto add = [&](const CommandAnswer* answer, const char* name) {
-    if (!answer) return;
-    const auto picture = std::ranges::find(answer->pictures, name, &Picture::name);
-    if (picture == answer->pictures.end()) return;
-    for (const Figure& figure : picture->make(options)) text += figure_html(all, figure);
-  };
-  add(loads, "thread_pressure");
-  add(loads, "thread_stress");
-  add(slip, "thread_friction");
-  return text + plain_table({"", "Roller-screw", "Roller-nut", "Unit"}, rows, true);
+  for (const char* of_thread : {"thread_pressure", "thread_stress", "thread_friction"})
+    if (const auto picture = std::ranges::find(numbers->pictures, of_thread, &Picture::name);
+        picture != numbers->pictures.end())
+      for (const Figure& figure : picture->make(options)) text += figure_html(all, figure);
+  return text +
+         fmt::format("<h3>Thread loads {}</h3>\n", words_of_text(name(result.load_cases[choice.load_case].loads))) +
+         plain_table({"", "Roller-screw", "Roller-nut", "Unit"}, rows, true);
 }
 
 }  // namespace
 
 Json thread_choices(const Findings& all) {
-  const CommandAnswer* loads = all.most_complete();
+  const CommandAnswer* loads = all.of_threads();
   if (!loads) return nullptr;
   Json choices{{"cases", Json::array()}};
   double most = -1.0;

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <ranges>
 
 #include "modules/module.h"
 #include "prs/indices.h"
@@ -11,6 +12,7 @@
 #include "prs/output/files.h"
 #include "prs/report/tables.h"
 #include "prs/text.h"
+#include "prs/version.h"
 
 namespace prs {
 namespace {
@@ -67,16 +69,19 @@ std::string number_html(const std::string& value, std::string_view unit) {
   return value + (unit.empty() ? "" : fmt::format(" <small>{}</small>", html(unit)));
 }
 
-/// HTML of a tile; also if a page moved values away from those of the report.
+/// HTML of a tile, without a key for scripts on the first sheet; also if a page moved values away from those of the
+/// report.
 std::string tile_html(std::string_view key, std::string_view classes, std::string_view title, const std::string& number,
                       const std::string& before, const std::string& below) {
   return fmt::format(
-      "<div data-tile=\"{}\"{}><dt>{}</dt><dd><div class=\"value\">{}</div>{}{}</dd></div>\n", key,
-      classes.empty() ? "" : fmt::format(" class=\"{}\"", classes), html(title), number,
+      "<div{}{}><dt>{}</dt><dd><div class=\"value\">{}</div>{}{}</dd></div>\n",
+      key.empty() ? "" : fmt::format(" data-tile=\"{}\"", key),
+      classes.empty() ? "" : fmt::format(" class=\"{}\"", classes),
+      is_general_term(title) ? term_html(title, title) : html(title), number,
       before.empty() || before == number ? "" : fmt::format("<div class=\"before\">report: {}</div>", before), below);
 }
 
-std::string where_html(std::string_view text) { return fmt::format("<div class=\"where\">{}</div>", html(text)); }
+std::string where_html(std::string_view text) { return fmt::format("<div class=\"where\">{}</div>", prose_html(text)); }
 
 // Numbers that keep their load while a page moves that of the load cases.
 constexpr std::string_view kStale = "stale", kStays = "does not follow the load cases";
@@ -137,7 +142,7 @@ std::string place_of(const Findings& all, const Criterion& c) {
   return where;
 }
 
-std::string card_html(const Findings& all, const Criterion& c) {
+std::string card_html(const Findings& all, const Criterion& c, std::string_view key) {
   const auto [unit, factor] = card_unit(c);
   std::string below;
   if (c.limit)
@@ -149,9 +154,78 @@ std::string card_html(const Findings& all, const Criterion& c) {
       if (other.name == c.name) before = value_html(other);
   // The worst load is one of `life`, in a separate spectrum or history.
   if (c.load_case.starts_with("life.") && all.unmoved.contains(Command::life))
-    return tile_html(c.name, kStale, c.title, value_html(c), before, where_html(kStays));
+    return tile_html(key, kStale, c.title, value_html(c), before, where_html(kStays));
   if (c.limit) below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c));
-  return tile_html(c.name, name(c.standing), c.title, value_html(c), before, below + where_html(place_of(all, c)));
+  return tile_html(key, name(c.standing), c.title, value_html(c), before, below + where_html(place_of(all, c)));
+}
+
+bool is_card(const Criterion& c) { return (c.value || c.limit) && c.name != "convergence"; }
+
+std::string standing_html(const CaseVerdict& verdict) {
+  return fmt::format("<span class=\"state {}\">{}</span>", name(verdict.standing()), prose_html(summary(verdict)));
+}
+
+std::string fact_html(std::string_view title, const std::string& value) {
+  return value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, value);
+}
+
+/// The loads, the duty and the limits that the case states.
+std::string requirement_html(const Findings& all) {
+  constexpr std::size_t kMostLoads = 4;
+  std::string loads, limits;
+  if (const CommandAnswer* answer = all.most_complete()) {
+    const std::vector<LoadCaseResult>& cases = answer->delivery.result<Result>()->load_cases;
+    for (const LoadCaseResult& r : cases | std::views::take(kMostLoads)) {
+      const LoadCase& load = r.load_case;
+      loads += fmt::format("{}{}: {}", loads.empty() ? "" : "; ", load.name,
+                           significant_with_unit(std::abs(load.axial_force), "kN", 4));
+      if (load.direction) loads += fmt::format(" {}", name(*load.direction));
+      if (load.speed) loads += fmt::format(", {}", significant_with_unit(load.speed, "rpm", 4));
+    }
+    if (cases.size() > kMostLoads) loads += fmt::format("; {} more in the report", cases.size() - kMostLoads);
+  }
+  std::string life;
+  if (const CommandAnswer* answer = all.answer(Command::life)) {
+    const Json& of = under(under(answer->document, "life"), "loads");
+    const auto force = [&](const char* key) {
+      return significant_with_unit(under(of, key).is_number() ? std::optional(of[key].get<double>()) : std::nullopt,
+                                   "N", 4);
+    };
+    life = fmt::format("{}: mean load {}, largest force {}; reliability {}",
+                       input_value(all, "life.history.file").empty() ? "spectrum" : "history", force("mean_load_N"),
+                       force("largest_force_N"), input_value(all, "life.reliability"));
+  }
+  for (const Criterion& c : all.verdict.criteria)
+    if (c.limit && c.source == LimitSource::stated) {
+      const auto [unit, factor] = card_unit(c);
+      limits += fmt::format("{}{} {} {}{}{}", limits.empty() ? "" : "; ", html(c.title),
+                            c.sense == Sense::least ? "at least" : "at most", report_number(*c.limit * factor, unit),
+                            unit.empty() ? "" : " ", html(unit));
+    }
+  return "<dl class=\"facts\">\n" + fact_html("Loads", html(loads)) +
+         fact_html("Speed", prose_html(input_value(all, "operation.speed"))) +
+         fact_html("Loads of the life", prose_html(life)) +
+         fact_html("Limits", limits.empty() ? "none stated: recommended values and physical limits" : limits) +
+         "</dl>\n";
+}
+
+/// What the numbers rest on: warnings, then assumptions, as many as fit, and how many inputs are assumed.
+std::string foundations_html(const Findings& all) {
+  constexpr std::size_t kMost = 6, kLetters = 1200;
+  std::vector<std::string> lines;
+  for (const bool assumptions : {false, true})
+    for (const WarningGroup& group : grouped(selected(all.warnings, assumptions))) lines.push_back(group.text());
+  std::size_t shown = 0, letters = 0;
+  std::string text = "<ul class=\"warnings\">\n";
+  for (; shown < std::min(lines.size(), kMost) && (letters += lines[shown].size()) < kLetters; ++shown)
+    text += fmt::format("<li>{}</li>\n", prose_html(lines[shown]));
+  if (shown < lines.size()) text += fmt::format("<li>{} more in the report</li>\n", lines.size() - shown);
+  const auto assumed = std::ranges::count_if(all.checked().fields, [&](const input::EchoEntry& field) {
+    return basis_of(field, all.checked()).first == "assumed";
+  });
+  if (assumed > 0)
+    text += fmt::format("<li>{} inputs are assumed by rule: the report lists each with its reason</li>\n", assumed);
+  return shown == 0 && assumed == 0 && lines.empty() ? "<p>None beyond the stated inputs.</p>\n" : text + "</ul>\n";
 }
 
 }  // namespace
@@ -164,6 +238,11 @@ const CommandAnswer* Findings::answer(Command command) const {
 const CommandAnswer* Findings::most_complete() const {
   const CommandAnswer* solve = answer(Command::solve);
   return solve ? solve : answer(Command::contact);
+}
+
+const CommandAnswer* Findings::of_threads() const {
+  const CommandAnswer* slip = answer(Command::slip);
+  return slip ? slip : most_complete();
 }
 
 std::span<const Command> reported_commands() {
@@ -248,7 +327,7 @@ std::string figure_html(Findings& all, Figure figure, bool narrow) {
   return fmt::format(
       "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
       "tabindex=\"0\">{}</div></figure>\n",
-      html(figure.name), narrow ? " class=\"narrow\"" : "", html(figure.title),
+      html(figure.name), narrow ? " class=\"narrow\"" : "", prose_html(figure.title),
       svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
 }
 
@@ -267,8 +346,7 @@ std::vector<std::string> unconverged(const Findings& all) {
 
 std::string verdict_html(const Findings& all) {
   const CaseVerdict& verdict = all.verdict;
-  std::string text =
-      fmt::format("<span class=\"state {}\">{}</span> ", name(verdict.standing()), html(summary(verdict)));
+  std::string text = standing_html(verdict) + " ";
   if (const Result* solve = all.result<Result>(Command::solve)) {
     const auto failed = std::ranges::count(solve->load_cases, false, &LoadCaseResult::converged);
     const std::size_t count = solve->load_cases.size();
@@ -283,12 +361,43 @@ std::string verdict_html(const Findings& all) {
   if (selected(all.warnings, false).empty()) text += "No warnings.";
   std::string cards;
   for (const Criterion& c : verdict.criteria)
-    if ((c.value || c.limit) && c.name != "convergence") cards += card_html(all, c);
+    if (is_card(c)) cards += card_html(all, c, c.name);
   cards += headlines_html(all);
   if (!cards.empty()) cards = "<dl class=\"tiles\">\n" + cards + "</dl>\n";
   const std::string rest = not_computed(verdict);
-  if (!rest.empty()) cards += fmt::format("<p class=\"default\">No value: {}.</p>\n", html(rest));
+  if (!rest.empty()) cards += fmt::format("<p class=\"default\">No value: {}.</p>\n", prose_html(rest));
   return "<p>" + text + "</p>\n" + cards;
+}
+
+std::string summary_html(Findings& all) {
+  constexpr std::ptrdiff_t kNumbers = 5;
+  std::vector<const Criterion*> numbers;
+  for (const Criterion& c : all.verdict.criteria)
+    if (is_card(c)) numbers.push_back(&c);
+  const auto weight = [](const Criterion* c) {
+    return c->standing == Standing::red ? 0 : c->standing == Standing::amber ? 1 : c->limit ? 2 : 3;
+  };
+  std::ranges::sort(numbers, {}, [&](const Criterion* c) { return std::pair(weight(c), c); });
+  if (std::ssize(numbers) > kNumbers) numbers.resize(kNumbers);
+  std::ranges::sort(numbers);
+  std::string tiles;
+  for (const Criterion* c : numbers) tiles += card_html(all, *c, "");
+  std::string drawing;
+  if (const CommandAnswer* answer = all.most_complete())
+    drawing = figure_html(all, figure(answer->pictures, "section", {}));
+  std::string signatures;
+  for (const auto& [role, person] : {std::pair{"Prepared", input_value(all, "report.author")},
+                                     {"Checked", std::string()},
+                                     {"Approved", std::string()}})
+    signatures += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td></td><td></td></tr>\n", role, html(person));
+  return "<h3>Requirement</h3>\n" + requirement_html(all) + "<h3>Verdict</h3>\n<p>" + standing_html(all.verdict) +
+         "</p>\n" + (tiles.empty() ? "" : "<dl class=\"tiles\">\n" + tiles + "</dl>\n") + drawing +
+         "<h3>Assumptions and warnings</h3>\n" + foundations_html(all) +
+         "<table class=\"sign\">\n<thead><tr><td></td><th scope=\"col\">Name</th><th scope=\"col\">Date</th>"
+         "<th scope=\"col\">Signature</th></tr></thead>\n<tbody>\n" +
+         signatures + "</tbody></table>\n" +
+         fmt::format("<p class=\"default\">prs {}, {}; SHA-256 of the case <span class=\"mono\">{}</span></p>\n",
+                     html(kVersion), all.date, all.origin.input_sha256);
 }
 
 std::string warning_list(const Findings& all, bool assumptions) {
@@ -296,7 +405,7 @@ std::string warning_list(const Findings& all, bool assumptions) {
   if (groups.empty()) return {};
   std::string text = "<ul class=\"warnings\">\n";
   for (const WarningGroup& warning : groups)
-    text += fmt::format("<li>{}{}</li>\n", html(warning.text()),
+    text += fmt::format("<li>{}{}</li>\n", prose_html(warning.text()),
                         warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
   return text + "</ul>\n";
 }

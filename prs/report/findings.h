@@ -63,6 +63,8 @@ struct Findings {
   }
   /// Load cases, solved if the case has all inputs.
   const CommandAnswer* most_complete() const;
+  /// Threads one by one: with slip, whose loads are those of the running screw, if the case has all inputs of it.
+  const CommandAnswer* of_threads() const;
 };
 
 /// All commands that a page shows, in the order in which they run.
@@ -84,6 +86,9 @@ std::string input_value(const Findings& all, std::string_view path);
 
 /// HTML with the state, headline numbers, and the number of warnings.
 std::string verdict_html(const Findings& all);
+
+/// The first sheet of a print, to sign: requirement, verdict, the numbers that matter most, drawing, what they rest on.
+std::string summary_html(Findings& all);
 
 /// Failed commands, one line for each.
 std::vector<std::string> unconverged(const Findings& all);

@@ -142,7 +142,7 @@ std::string head_html(const Findings& all) {
   const int starts = contacts.mechanism.starts.screw;
   std::string block;
   const auto add = [&](const char* title, const std::string& text) {
-    if (!text.empty()) block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, html(text));
+    if (!text.empty()) block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, breakable_html(text));
   };
   add("Customer", told(all, "customer"));
   add("Number", told(all, "number"));
@@ -209,6 +209,7 @@ std::string comparison_html(const ModelComparison& comparison) {
 std::string loads_table_html(const Json& document) {
   const std::vector<std::string> first{"axial_force_N",
                                        "direction",
+                                       "loads",
                                        "position_mm",
                                        "status",
                                        "axial_displacement_um",
@@ -247,8 +248,8 @@ std::string models_html(Findings& all) {
 
 std::string table_html(const PageTable& table) {
   std::vector<std::vector<std::string>> texts = table.rows;
-  for (std::vector<std::string>& row : texts) std::ranges::transform(row, row.begin(), html);
-  return plain_table(each(table.head, html), texts, true);
+  for (std::vector<std::string>& row : texts) std::ranges::transform(row, row.begin(), prose_html);
+  return plain_table(each(table.head, prose_html), texts, true);
 }
 
 std::string references_html(Findings& all) {
@@ -301,7 +302,7 @@ std::string answer_html(Findings& all, Command command) {
   if (!answer) return {};
   const PageSection section = answer->delivery.section ? answer->delivery.section() : PageSection{};
   const auto is_folded = [&](std::string_view name) { return contains(section.folded, name); };
-  std::string text = section.note.empty() ? "" : fmt::format("<p>{}</p>\n", html(section.note));
+  std::string text = section.note.empty() ? "" : fmt::format("<p>{}</p>\n", prose_html(section.note));
   text += pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
   const std::vector<RecordColumn> cases = case_columns(answer->document);
   const auto add = [&](const std::string& heading, const std::string& table) {
@@ -365,15 +366,10 @@ std::string input_shown(const input::EchoEntry& field) {
   return field.written.empty() || field.written == "~" ? with_short_numbers(field.value) : field.written;
 }
 
-/// A path that breaks where its keys end.
-std::string path_html(const std::string& path) {
-  std::string text;
-  for (const char c : html(path)) {
-    if (c == '[') text += "<wbr>";
-    text += c;
-    if (c == '.' || c == '_') text += "<wbr>";
-  }
-  return fmt::format("<code>{}</code>", text);
+/// A value of an input: names break where their parts end, quantities have the signs of print.
+std::string value_of_input_html(const input::EchoEntry& field) {
+  const std::string shown = input_shown(field);
+  return shown.find('_') == shown.npos ? prose_html(shown) : breakable_html(shown);
 }
 
 /// A row for each input that the file states, or for each that it does not.
@@ -405,7 +401,8 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
     if (!reason.empty()) origin += reason == told ? ", as above" : fmt::format(": {}", reason);
     told = reason;
     has_reasons = has_reasons || !reason.empty();
-    rows.push_back({path_html(field.path), html(input_shown(field)), html(origin)});
+    rows.push_back(
+        {fmt::format("<code>{}</code>", breakable_html(field.path)), value_of_input_html(field), prose_html(origin)});
   }
   end_block();
   if (tables.empty()) return {};
@@ -426,7 +423,7 @@ std::string inputs_html(const Findings& all) {
   const Json lengths = derived_of(all.checked().geometry.contacts.mechanism);
   for (const auto& [key, value] : lengths.items()) {
     const ReportUnit unit = report_unit(key, unit_of(key).text);
-    derived.push_back({html(capitalised(words_of(key))), report_value(value, unit), html(unit.text)});
+    derived.push_back({html(capitalised(words_of(key))), report_value(value, unit), prose_html(unit.text)});
   }
   if (!derived.empty()) text += "<h3>What follows from them</h3>\n" + plain_table({"", "Value", "Unit"}, derived);
   return text;
@@ -474,8 +471,8 @@ std::string studies_html(Findings& all) {
       }
     }
     if (left_out > 0)
-      text += fmt::format("<p class=\"default\">{} more picture{} stand{} in the folder of the results.</p>\n",
-                          left_out, left_out == 1 ? "" : "s", left_out == 1 ? "s" : "");
+      text += fmt::format("<p class=\"default\">{} more picture{} {} in the folder of the results.</p>\n", left_out,
+                          left_out == 1 ? "" : "s", left_out == 1 ? "is" : "are");
   }
   return text;
 }
@@ -521,7 +518,7 @@ std::string provenance_html(Findings& all) {
   const CommandAnswer* solve = all.answer(Command::solve);
   if (const Result* result = all.result<Result>(Command::solve); result && has_solved(*result)) {
     fact("Model of the bodies", html(result->model.bodies->name));
-    fact("What the model means", html(known_bias(result->model)));
+    fact("What the model means", prose_html(known_bias(result->model)));
   }
   std::string records;
   for (const std::string& record : validation_records(all))
@@ -582,10 +579,20 @@ std::string files_html(Findings& all) {
 std::string pressures_html(Findings& all) { return pictures_html(all, all.answer(Command::solve), is_of_pressure); }
 std::string warnings_html(Findings& all) {
   std::string refused;
-  for (const std::string& note : all.notes) refused += fmt::format("<p>{}</p>\n", html(note));
+  for (const std::string& note : all.notes) refused += fmt::format("<p>{}</p>\n", prose_html(note));
   const std::string assumptions = warning_list(all, true);
   return warning_list(all, false) + refused +
          (assumptions.empty() ? "" : folded_html(kAssumptionsTitle, assumptions, true));
+}
+
+/// Words of the field and of all numbers on the page.
+std::string meanings_html(Findings& all) {
+  std::vector<std::pair<const RecordInfo*, const Json*>> records;
+  for (const CommandAnswer& answer : all.answers)
+    for (const auto& [key, value] : answer.document.items())
+      if (const RecordInfo* info = record_at(key == "load_cases" ? "load_cases[]" : key); info && !value.empty())
+        records.emplace_back(info, value.is_array() ? &value.front() : &value);
+  return glossary_html(records);
 }
 
 /// The values of the case, of a document's head, and documents by their commands under `results`, as
@@ -625,9 +632,13 @@ std::vector<SectionRow> analysis_rows() {
 std::span<const SectionRow> section_rows() {
   static const std::vector<SectionRow> all = [] {
     std::vector<SectionRow> rows{
-        {"verdict", "Verdict", verdict_html, true},       {"warnings", "Warnings", warnings_html},
-        {"mechanism", "Mechanism", mechanism_html, true}, {"inputs", "Inputs and assumptions", inputs_html},
-        {"loads", "Load distribution", loads_html, true}, {"pressures", "Pressures", pressures_html, true},
+        {kSummary, "Summary", summary_html},
+        {"verdict", "Verdict", verdict_html, true},
+        {"warnings", "Warnings", warnings_html},
+        {"mechanism", "Mechanism", mechanism_html, true},
+        {"inputs", "Inputs and assumptions", inputs_html},
+        {"loads", "Load distribution", loads_html, true},
+        {"pressures", "Pressures", pressures_html, true},
         {"stiffness", "Stiffness", stiffness_html, true},
     };
     append(rows, analysis_rows());
@@ -636,7 +647,8 @@ std::span<const SectionRow> section_rows() {
                                               {"contacts", "Contacts", contact_html},
                                               {"studies", "Studies", studies_html},
                                               {"data", "Data", files_html},
-                                              {"provenance", "Provenance", provenance_html}},
+                                              {"provenance", "Provenance", provenance_html},
+                                              {"glossary", "Glossary", meanings_html}},
                       std::back_inserter(rows));
     return rows;
   }();
@@ -650,13 +662,20 @@ ReportSection section_of(Findings& all, const SectionRow& row) {
 }
 
 ReportParts report_parts(const input::Source& source, const ReportOptions& options) {
-  if (other_file(source)) return requirement_parts(source, options);
+  if (const OtherFile* other = other_file(source)) {
+    if (!options.summary) return requirement_parts(source, options);
+    throw input::InputError(
+        fmt::format("{}: got a requirement of `prs {}` with --summary; expected a case, which "
+                    "`prs size {} --write 1` writes",
+                    source.name, name(other->command), source.name));
+  }
   Findings all = findings_of(source, options, reported_commands());
   ReportParts parts;
   parts.title = fmt::format("{} · planetary roller screw", title_of(all));
   parts.mark = mark_of_sheets(all);
   parts.head = head_html(all);
-  for (const SectionRow& row : section_rows()) parts.sections.push_back(section_of(all, row));
+  for (const SectionRow& row : section_rows())
+    if (!options.summary || row.id == kSummary) parts.sections.push_back(section_of(all, row));
   parts.foot = fmt::format("<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}</span></p>",
                            html(kVersion), all.date, all.origin.input_sha256);
   parts.controls = controls_html(all);

@@ -20,7 +20,10 @@ struct ReportOptions {
   /// Folders to search for studies and optimizations of the case.
   std::vector<std::filesystem::path> results = {};
   ReportRoom room = {};
+  bool summary = false;  ///< Whether the page is the sheet to sign alone.
 };
+
+constexpr std::string_view kSummary = "summary";  ///< Section of the sheet to sign, which screens show alone only.
 
 /// A section of the page.
 struct ReportSection {

@@ -20,12 +20,12 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
   for (const std::string_view key : keys) {
     const Quantity<Item>& q = quantity<Item>(key);
     const ReportUnit unit = report_unit(key, q.unit.text);
-    head.push_back(html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", " + unit.text)));
+    head.push_back(prose_html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", " + unit.text)));
     for (const auto k : indices(rows)) {
       Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);
       rows[k].push_back(cell.empty()      ? "–"
-                        : key == "reason" ? html(cell.front().get<std::string>())
+                        : key == "reason" ? prose_html(cell.front().get<std::string>())
                                           : report_value(cell.front(), unit));
     }
   }
@@ -35,16 +35,19 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
 std::string requirement_inputs_html(const SizeResult& r) {
   std::vector<std::vector<std::string>> rows;
   for (const input::EchoEntry& f : r.input.fields)
-    rows.push_back({html(f.path), html(f.value), f.is_default ? "default" : "given"});
+    rows.push_back({breakable_html(f.path), prose_html(f.value), f.is_default ? "default" : "given"});
   return folded_html("Every input", plain_table({"Input", "Value", ""}, rows));
 }
 
 std::string assumptions_html(const SizeResult& r) {
   std::vector<std::vector<std::string>> rows;
-  for (const std::string& text : deciding_defaults(r)) rows.push_back({html(text), "decides"});
-  for (const std::string& text : sentences(r.candidates.front().warnings)) rows.push_back({html(text), ""});
-  for (const std::string& text : sentences(r.warnings)) rows.push_back({html(text), ""});
-  return plain_table({"Default or warning", ""}, rows) +
+  const auto add = [&](const std::string& text, const std::string& about) {
+    rows.push_back({prose_html(text), html(about)});
+  };
+  for (const std::string& text : deciding_defaults(r)) add(text, "decides");
+  for (const std::string& text : sentences(r.candidates.front().warnings)) add(text, r.candidates.front().name);
+  for (const std::string& text : sentences(r.warnings)) add(text, "all candidates");
+  return plain_table({"Default or warning", "About"}, rows) +
          "<p>Left out: preload, side loads, shock, resonance of the drive, price, and the weight "
          "of the nut.</p>\n";
 }
@@ -96,7 +99,9 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
                       {"rank", "name", "motor_rms_torque_Nm", "motor_peak_torque_Nm", "motor_largest_speed_rpm",
                        "motor_peak_power_W", "hottest_part_degC", "brake_needed"}) +
            picture("size_margins")},
-      {"assumptions", "Assumptions and warnings", assumptions_html(result)}};
+      {"assumptions", "Assumptions and warnings", assumptions_html(result)},
+      {"glossary", "Glossary",
+       glossary_html({{&describe<RequirementOf>(), &requirement}, {&describe<SizedCandidate>(), &candidate}})}};
   parts.data["results"]["size"] = delivery.document(info);
   parts.shown["results"]["size"] = delivery.outline(info);
   parts.foot = fmt::format(

@@ -1,6 +1,8 @@
 #include "prs/report/tables.h"
 
+#include <regex>
 #include "prs/indices.h"
+
 #include "prs/loads/case_table.h"
 #include "prs/record/pictures.h"
 #include "prs/report/report.h"
@@ -15,6 +17,7 @@ constexpr std::size_t kLongestList = 3;  ///< Longest list that is not shown as 
 struct Rows {
   std::string text;
   std::string_view group;
+  const QuantityInfo* outer = nullptr;  ///< Quantity whose parts, numbers of one unit, are the rows.
 };
 
 std::string heading(std::string_view title, std::size_t columns) {
@@ -63,9 +66,12 @@ void add_row(Rows& rows, const std::string& title, const QuantityInfo& q, std::s
   if (!found) return;
   if (q.group != rows.group && !q.group.empty()) rows.text += heading(q.group, columns.size());
   rows.group = q.group;
+  const QuantityInfo& named = rows.outer ? *rows.outer : q;
+  const std::string shown = capitalised(title);
   rows.text += fmt::format("<tr><th scope=\"row\"{}>{}</th>{}<td class=\"unit\">{}</td></tr>\n",
                            q.meaning.empty() ? "" : fmt::format(" title=\"{}\"", html(q.meaning)),
-                           html(capitalised(title)), cells, html(unit.text));
+                           named.meaning.empty() ? prose_html(shown) : term_html(capitalised(named.title), shown),
+                           cells, prose_html(unit.text));
 }
 
 void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
@@ -77,7 +83,12 @@ void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColum
   const RecordInfo& info = q.record();
   const std::string title = prefix.empty() ? q.title : prefix + ", " + q.title;
   const RecordChoice inside{.hidden = choice.hidden, .reach = choice.reach};
-  if (!unit.empty()) return add_rows(rows, info, columns, inside, title, unit);
+  if (!unit.empty()) {
+    const QuantityInfo* const outer = std::exchange(rows.outer, rows.outer ? rows.outer : &q);
+    add_rows(rows, info, columns, inside, title, unit);
+    rows.outer = outer;
+    return;
+  }
   Rows own;
   add_rows(own, info, columns, inside, "", unit);
   if (own.text.empty()) return;
@@ -116,6 +127,28 @@ int digits_in(std::string_view unit) {
 
 }  // namespace
 
+std::string prose_html(std::string_view sentence) {
+  static const std::pair<std::regex, const char*> kSigns[] = {
+      {std::regex(R"(\bum\b)"), "µm"},
+      {std::regex(R"(\bdeg([CF])\b)"), "°$1"},
+      {std::regex(R"(([A-Za-z])\^2(?![\d.]))"), "$1²"},
+      {std::regex(R"(([A-Za-z])\^3(?![\d.]))"), "$1³"},
+      {std::regex(R"(\^(-?\d+(?:\.\d+)?|\([\d/]+\)))"), "<sup>$1</sup>"}};
+  std::string all;
+  bool is_code = false;
+  for (std::size_t begin = 0; begin <= sentence.size(); is_code = !is_code) {
+    const std::size_t end = std::min(sentence.find('`', begin), sentence.size());
+    std::string part = html(sentence.substr(begin, end - begin));
+    if (is_code)
+      part = fmt::format("<code>{}</code>", part);
+    else if (part.find_first_of("^") != part.npos || part.find("um") != part.npos || part.find("deg") != part.npos)
+      for (const auto& [letters, sign] : kSigns) part = std::regex_replace(part, letters, sign);
+    all += part;
+    begin = end + 1;
+  }
+  return all;
+}
+
 std::string report_number(double value, std::string_view unit) {
   if (!std::isfinite(value)) return {};
   const double size = std::abs(value);
@@ -152,7 +185,7 @@ std::string report_value(const Json& value, const ReportUnit& unit, bool is_rang
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_integer()) return report_number(value.get<double>(), "");
   if (value.is_number()) return report_number(value.get<double>() * unit.factor, unit.text);
-  if (value.is_string()) return html(words_of_text(value.get<std::string>()));
+  if (value.is_string()) return prose_html(words_of_text(value.get<std::string>()));
   if (!value.is_array() || value.empty()) return {};
   const auto is_number = [](const Json& entry) { return entry.is_number(); };
   if (value.size() <= kLongestList && std::ranges::all_of(value, is_number)) {
@@ -180,10 +213,13 @@ std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>
   if (rows.text.empty()) return {};
   std::string head;
   const bool titled = std::ranges::any_of(columns, [](const RecordColumn& c) { return !c.title.empty(); });
-  for (const RecordColumn& column : columns) head += fmt::format("<th scope=\"col\">{}</th>", html(column.title));
+  for (const RecordColumn& column : columns)
+    head += fmt::format("<th scope=\"col\">{}</th>", breakable_html(column.title));
+  constexpr std::size_t kFewColumns = 5;
   return fmt::format(
       "<div class=\"wide\" tabindex=\"0\"><table "
-      "class=\"quantities\">\n{}<tbody>\n{}</tbody></table></div>\n",
+      "class=\"quantities{}\">\n{}<tbody>\n{}</tbody></table></div>\n",
+      columns.size() > kFewColumns ? " many" : "",
       titled ? fmt::format("<thead><tr><td></td>{}<th scope=\"col\" class=\"unit\">unit</th></tr></thead>\n", head)
              : "",
       rows.text);
@@ -233,6 +269,16 @@ std::string plain_table(const std::vector<std::string>& head, const std::vector<
   return text + "</tbody></table></div>\n";
 }
 
+std::string breakable_html(std::string_view name) {
+  std::string text;
+  for (const char c : html(name)) {
+    if (c == '[') text += "<wbr>";
+    text += c;
+    if (std::string_view("._-/").find(c) != std::string_view::npos) text += "<wbr>";
+  }
+  return text;
+}
+
 namespace {
 
 constexpr int kTitleTop = 36;
@@ -243,7 +289,7 @@ std::string legend_html(const Figure& figure) {
   std::string all = "<ul class=\"legend\">";
   for (const LegendEntry& entry : figure.legend)
     all += fmt::format("<li><svg viewBox=\"0 0 {} 16\" aria-hidden=\"true\">{}</svg>{}</li>", kLegendSymbolWidth,
-                       legend_symbol(figure.styles[entry.style]), html(entry.title));
+                       legend_symbol(figure.styles[entry.style]), prose_html(entry.title));
   return all + "</ul>";
 }
 

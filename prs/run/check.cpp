@@ -285,7 +285,7 @@ std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& 
   if (!contacts.interfaces.screw.has_hertz() || !contacts.interfaces.nut.has_hertz()) return {};
   LoadCaseResult loaded = equal_share_result(load, contacts);
   add_warnings(loaded, contacts);
-  for (Warning& warning : loaded.warnings) warning.what += ", even with equal shares";
+  for (Warning& warning : loaded.warnings) warning.what += ", even with equal thread loads";
   return all_warnings({}, {std::move(loaded)});
 }
 

@@ -109,7 +109,7 @@ constexpr Quantity<SizedCandidate::ByThreads> kByThreads[] = {
     {"life_hours", life_of<&SizedLife::hours>, "clock time, rests included"},
     {"life_km", life_of<&SizedLife::travel>, "of all travel"},
     {"static_safety", of<&SizedCandidate::ByThreads::static_safety>,
-     "as `prs life`: pressure, deformation or a flank's edge"},
+     "as `prs life`: pressure, deformation or edge loading"},
     {"dynamic_capacity_N", of<&SizedCandidate::ByThreads::capacity>, "Lemor's C_a"},
 };
 

@@ -122,9 +122,9 @@ std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m
   if (needed <= in_air) return std::nullopt;
   return Warning{"heat", "unknown_temperatures",
                  fmt::format("missing, so that temperatures are not known: to stay at {:.0f} degC in "
-                             "surroundings of {:.0f} degC, its {:.0f} W need a conductance of {{value}}, and "
-                             "that of a bare nut in still air is {{limit}}; loads, films and life are those "
-                             "of the stated temperature",
+                             "surroundings of {:.0f} degC, the {:.0f} W lost to friction need a thermal "
+                             "conductance of {{value}}, and a bare nut in still air has {{limit}}; loads, films "
+                             "and life are those of the stated temperature",
                              kWarmParts - 273.15, kSurroundings - 273.15, power),
                  "add `heat`"}
       .with(needed, in_air, "W/K"_unit)

@@ -16,12 +16,18 @@ TEST(ShownUnit, IsTheLongestThatAKeyEndsIn) {
   EXPECT_EQ(unit_of("share_of_revolutions").text, "");
 }
 
-TEST(ResponseTitle, StartsWithThePartAndEndsInTheUnit) {
-  EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").name, "max screw peak pressure");
+TEST(ResponseTitle, HasTheWordsOfCataloguesThenThePartAndTheThread) {
+  EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").name, "largest peak pressure, screw");
   EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").unit, "MPa");
-  EXPECT_EQ(response_title("slip.nut.power_W[2]").name, "nut power, thread 3");
-  EXPECT_EQ(response_title("screw.normal_load_N[3][0]").name, "screw normal load, roller 4, thread 1");
-  EXPECT_EQ(response_title("nut.roller_share_percent[3]").name, "nut roller share, roller 4");
+  EXPECT_EQ(response_title("slip.nut.power_W[2]").name, "power, nut, thread 3");
+  EXPECT_EQ(response_title("screw.normal_load_N[3][0]").name, "normal load, screw, roller 4, thread 1");
+  EXPECT_EQ(response_title("nut.roller_share_percent[3]").name, "roller share, nut, roller 4");
+  EXPECT_EQ(response_title("screw.load_rate_percent.max").name, "largest share of the load, screw");
+  EXPECT_EQ(response_title("measures.solved_static_safety").name, "static safety");
+  EXPECT_EQ(response_title("life.system.l10_hours").name, "life L10 in hours, mechanism");
+  EXPECT_EQ(response_title("life.catalogue.l10_revolutions").name,
+            "life L10 in revolutions, by the catalogue's formula");
+  EXPECT_EQ(response_title("heat.temperature_degC.nut").name, "temperature, nut");
   EXPECT_EQ(response_title("slip.viscosity_mPas").unit, "mPa s");
   EXPECT_EQ(response_title("response.energy_J.residual").unit, "J");
   EXPECT_EQ(response_title("response.energy_J.residual_relative").unit, "");

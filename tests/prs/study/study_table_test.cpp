@@ -37,7 +37,7 @@ TEST(StudyTable, MarksTheBaseCaseInItsPlaceAndGivesReasons) {
 TEST(StudyTable, RankingComesFirst) {
   const std::string table = study_table(sample::sampled(Plan::latin_hypercube));
   EXPECT_THAT(table, testing::StartsWith("latin_hypercube: 500 designs, seed 7\n\n"
-                                         "max screw peak pressure (MPa): contributions"));
+                                         "largest peak pressure, screw (MPa): contributions"));
   const std::size_t a = table.find("  1  flank angle"), b = table.find("  2  b "), mean = table.find("mean");
   ASSERT_NE(a, std::string::npos) << table;
   EXPECT_LT(a, b);
@@ -60,9 +60,9 @@ std::vector<double> numbers_of(const std::string& table, const std::string& labe
 
 TEST(StudyTable, ResponsesHaveTheUnitsOfTables) {
   const StudyResult study = sample::sampled(Plan::latin_hypercube);
-  const std::vector<double> si = numbers_of(study_table(study), "max screw peak pressure (MPa) ");
+  const std::vector<double> si = numbers_of(study_table(study), "largest peak pressure, screw (MPa) ");
   const TableUnits units(UnitSystem::us);
-  const std::vector<double> us = numbers_of(study_table(study), "max screw peak pressure (ksi) ");
+  const std::vector<double> us = numbers_of(study_table(study), "largest peak pressure, screw (ksi) ");
   ASSERT_THAT(si, testing::SizeIs(7));
   ASSERT_THAT(us, testing::SizeIs(7));
   for (std::size_t k = 0; k < si.size(); ++k)  // NIST SP 811, appendix B.8; four digits are shown.
@@ -71,7 +71,7 @@ TEST(StudyTable, ResponsesHaveTheUnitsOfTables) {
 
 TEST(StudyTable, SharesOfTheVarianceHaveTheirIntervals) {
   const std::string table = study_table(sample::sampled(Plan::sobol_indices, 512));
-  EXPECT_THAT(table, AllOf(HasSubstr("max nut peak pressure (MPa): shares of the variance, 512"),
+  EXPECT_THAT(table, AllOf(HasSubstr("largest peak pressure, nut (MPa): shares of the variance, 512"),
                            HasSubstr("with others"), HasSubstr("±")));
   EXPECT_THAT(table, Not(HasSubstr("linear response surface")));
   expect_narrow(table);
@@ -105,12 +105,12 @@ TEST(StudyTable, ProgressTellsRateAndTimeLeft) {
 }
 
 TEST(StudyText, TitlesAreForPeople) {
-  EXPECT_EQ(table_response("screw.peak_pressure_MPa.max").text(), "max screw peak pressure (MPa)");
-  EXPECT_EQ(table_response("slip.share_percent.carrier_nut").text(), "carrier nut share (%)");
+  EXPECT_EQ(table_response("screw.peak_pressure_MPa.max").text(), "largest peak pressure, screw (MPa)");
+  EXPECT_EQ(table_response("slip.share_percent.carrier_nut").text(), "share, carrier nut (%)");
   EXPECT_EQ(table_response("axial_stiffness_N_per_um").text(), "axial stiffness (N/µm)");
   EXPECT_EQ(table_response("slip.efficiency").text(), "efficiency");
-  EXPECT_EQ(table_response("screw.load_rate_percent[0]").text(), "screw load rate, thread 1 (%)");
-  EXPECT_EQ(table_response("contact.nut.body_curvatures_per_mm[1]").text(), "nut body curvatures[1] (1/mm)");
+  EXPECT_EQ(table_response("screw.load_rate_percent[0]").text(), "share of the load, screw, thread 1 (%)");
+  EXPECT_EQ(table_response("contact.nut.body_curvatures_per_mm[1]").text(), "body curvatures[1], nut (1/mm)");
   EXPECT_EQ(level_text({"54.33333333333333 mm", 54.33333333333333}, "mm"), "54.3333 mm");
   EXPECT_EQ(level_text({"{convex: 6.25123456 mm}", 0.16}, "1/mm"), "{convex: 6.25123456 mm}");
   EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {})), "mechanism.rollers");

@@ -1,7 +1,7 @@
 // The view with its controls, in an element of a page; see README.md.
 import { dimensions } from './geometry.js';
 import { hasRollers, largest, quantities, shown, sides, temperatures, threadNumber } from './numbers.js';
-import { texts as english } from './texts.js';
+import { texts } from './texts.js';
 import { View } from './view.js';
 
 function make(tag, properties = {}, ...children) {
@@ -41,7 +41,7 @@ function isDrawnBySoftware() {
  * Draws `document` into the element; null where there is no WebGL, with the element as it was.
  * `onThread({load_case, roller, thread})`, all from 0, is told of a thread that the reader chose.
  */
-export function mount(element, { document: first, loadCase = 0, onThread = () => {}, texts = english, link = null }) {
+export function mount(element, { document: first, loadCase = 0, onThread = () => {}, link = null }) {
   const id = `mechanism-view-${++count}`;
   const canvas = make('canvas', { tabIndex: 0, attributes: { role: 'img', 'aria-describedby': `${id}-help` } });
   const isFast = !isDrawnBySoftware();

@@ -28,32 +28,3 @@ export const texts = {
   unloaded: 'no load',
   types: { standard: 'Standard', inverted: 'Inverted' },
 };
-
-export const german = {
-  title: 'Der Trieb räumlich',
-  loadCase: 'Lastfall',
-  colours: 'Farben',
-  load: 'Normalkraft',
-  pressure: 'größte Pressung',
-  temperature: 'Temperatur der Teile',
-  nut: 'Mutter',
-  rollers: 'Rollen',
-  screw: 'Spindel',
-  show: 'Zeigen',
-  previous: 'Voriger Gang',
-  next: 'Nächster Gang',
-  reset: 'Ansicht zurücksetzen',
-  allNumbers: 'Alle seine Zahlen',
-  help:
-    'Ziehen dreht; nach einem Klick ins Bild vergrößert das Rad der Maus. Tasten: Pfeile drehen, + und - ändern die ' +
-    'Größe, Pos1 geht zurück, Bild auf und Bild ab gehen durch die Gänge. Ein Klick auf einen Gang zeigt seine Zahlen. ' +
-    'Die Mutter ist aufgeschnitten; Kontakte sind größer gezeichnet, als sie sind.',
-  summary: ({ type, rollers, contacts, loadCase }) =>
-    `${type}, ${rollers} Rollen mit je ${contacts} Gängen${loadCase ? `, Lastfall ${loadCase}` : ''}.`,
-  largest: ({ side, place, value }) => `Am größten: ${side} ${value}, ${place}.`,
-  atScrew: 'an der Spindel',
-  atNut: 'an der Mutter',
-  place: ({ roller, thread, manyRollers }) => (manyRollers ? `Rolle ${roller}, Gang ${thread}` : `Gang ${thread} jeder Rolle`),
-  unloaded: 'keine Kraft',
-  types: { standard: 'Planetenrollengewindetrieb', inverted: 'Umgekehrter Planetenrollengewindetrieb' },
-};

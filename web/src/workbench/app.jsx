@@ -9,7 +9,7 @@ import { reportPage } from './report_page.js';
 import { Results } from './results.jsx';
 import { FileButton, Start } from './start.jsx';
 import {
-  addVariant, changed, chooseVariant, current, lacking, mostVariants, otherFile, page, redo, removeVariant, setLanguage, setUnits, state, stop, undo,
+  addVariant, changed, chooseVariant, current, lacking, mostVariants, otherFile, page, redo, removeVariant, setUnits, state, stop, undo,
 } from './store.js';
 import { Studies } from './studies.jsx';
 import { t } from './texts.js';
@@ -45,10 +45,6 @@ function Header({ starts, setStarts }) {
         <label for="units" class="small">{t('units')}</label>
         <select id="units" value={state.units} onChange={(event) => setUnits(event.currentTarget.value)}>
           <option value="si">SI</option><option value="us">US</option>
-        </select>
-        <label for="language" class="small">{t('language')}</label>
-        <select id="language" value={state.language} onChange={(event) => setLanguage(event.currentTarget.value)}>
-          <option value="en" lang="en">English</option><option value="de" lang="de">Deutsch</option>
         </select>
       </div>
     </header>
@@ -106,7 +102,7 @@ function Views() {
         ))}
       </div>
       <div id="view" role="tabpanel" aria-labelledby={`tab-${chosen}`}>
-        {isWrong() && <p class="trouble" role="alert">{t('wrong')}<br /><span lang="en">{current().messages.filter((line) => /error/.test(line)).slice(0, 3).join('\n')}</span></p>}
+        {isWrong() && <p class="trouble" role="alert">{t('wrong')}<br /><span>{current().messages.filter((line) => /error/.test(line)).slice(0, 3).join('\n')}</span></p>}
         <View />
       </div>
     </div>
@@ -148,7 +144,7 @@ export function App() {
     <>
       <a class="skip" href="#results">{t('skip')}</a>
       <Header starts={starts || !v} setStarts={setStarts} />
-      {state.note && <p class="note" role="status" lang="en">{state.note} <button type="button" class="quiet" aria-label={t('remove', '')} onClick={() => { state.note = ''; changed(); }}>×</button></p>}
+      {state.note && <p class="note" role="status">{state.note} <button type="button" class="quiet" aria-label={t('remove', '')} onClick={() => { state.note = ''; changed(); }}>×</button></p>}
       {files.length > 0 && <p class="note" role="status">{t('missingFile', files.join(', '))} <FileButton id="missing-file" label={t('open')} /></p>}
       {(starts || !v) && (v ? <aside class="start-place" aria-label={t('start')}><Start done={close} /></aside> : <main class="start-place" id="results"><Start done={close} /></main>)}
       {v && (

@@ -4,7 +4,7 @@ import { Chart } from './chart.jsx';
 import { headlinesOf } from './headlines.js';
 import { LoadCaseChoice } from './results.jsx';
 import { refreshAll, state } from './store.js';
-import { languageOf, t, title } from './texts.js';
+import { t } from './texts.js';
 import { number, quantity, shownIn } from './units.js';
 
 const capital = (text) => text.replace(/^./, (c) => c.toUpperCase());
@@ -30,7 +30,7 @@ function Numbers() {
             const how = shownIn(path, unit, state.units, largest);
             return (
               <tr key={path}>
-                <th scope="row" lang={languageOf(name)}>{capital(title(name))}</th>
+                <th scope="row">{capital(name)}</th>
                 {rows.map((value, k) => (
                   <td>{value === undefined ? '–' : number(how.convert(value), how.unit)}
                     {k > 0 && value !== undefined && rows[0] !== undefined && <small class="change">{percent(value, rows[0])}</small>}</td>

@@ -3,13 +3,10 @@ import { useEffect, useState } from 'preact/hooks';
 import { keysAt, lengthAt, valueAt, withBlock, withItem, without } from './case_text.js';
 import { choices, help, isWhole, join, meaning, missingKeys, nodeAt, skeleton } from './schema.js';
 import { changed, current, edit, schemaOf, set, state, withUnit } from './store.js';
-import { languageOf, t, title } from './texts.js';
+import { t } from './texts.js';
 import { inSystem } from './units.js';
 
-const words = (key) => {
-  const own = title(key);
-  return (own === key ? key.replaceAll('_', ' ') : own).replace(/^./, (c) => c.toUpperCase());
-};
+const words = (key) => key.replaceAll('_', ' ').replace(/^./, (c) => c.toUpperCase());
 
 const blockOf = (path) => path.split(/[.[]/)[0];
 
@@ -60,7 +57,7 @@ function Field({ input, schema }) {
   const label = labelOf(path);
   return (
     <div class="field">
-      <label for={id} lang={state.language === 'de' ? 'de' : undefined}>{label}</label>
+      <label for={id}>{label}</label>
       {options && options.includes(text) ? (
         <select id={id} data-path={path} value={text} aria-describedby={describedBy} aria-invalid={wrong || undefined}
           onChange={(event) => commit(event.currentTarget.value)}>
@@ -76,9 +73,9 @@ function Field({ input, schema }) {
       <button type="button" class="quiet remove" aria-label={t('remove', path)} title={t('remove', path)}
         onClick={() => edit(without(current().text, path))}>×</button>
       {other && <span class="other">= {other}</span>}
-      {input.basis === 'assumed' && <span class="assumed" lang="en" title={input.reason}>{t('assumed')}: {input.reason}</span>}
-      {wrong && <p class="wrong" id={`${id}-wrong`} lang="en">{current().messages.find((line) => isNamed([line], path)).replace(/^.*?error: /, '')}</p>}
-      <p class="help" id={`${id}-help`} lang={state.language === 'de' ? 'en' : undefined}><code>{path}</code> {said}</p>
+      {input.basis === 'assumed' && <span class="assumed" title={input.reason}>{t('assumed')}: {input.reason}</span>}
+      {wrong && <p class="wrong" id={`${id}-wrong`}>{current().messages.find((line) => isNamed([line], path)).replace(/^.*?error: /, '')}</p>}
+      <p class="help" id={`${id}-help`}><code>{path}</code> {said}</p>
     </div>
   );
 }
@@ -163,7 +160,7 @@ export function Form() {
         return (
           <details key={block} class="block-of" open={words_.length ? hits.length > 0 : opened.has(block)} hidden={words_.length > 0 && hits.length === 0}>
             <summary>{words(block)} <small>{inputs.length}</small></summary>
-            <p class="meaning" lang={state.language === 'de' ? 'en' : undefined}>{meaning(schema.properties[block])}</p>
+            <p class="meaning">{meaning(schema.properties[block])}</p>
             {inputs.map((input) => (
               <div key={input.path} hidden={words_.length > 0 && !isWanted(input)}><Field input={input} schema={schema} /></div>
             ))}

@@ -2,7 +2,7 @@
 import { h, render } from 'preact';
 import { App, saveCase } from './app.jsx';
 import {
-  addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo, warm,
+  addVariant, ask, current, onChange, open, page, redo, set, setUnits, state, undo, warm,
 } from './store.js';
 import { takeFiles } from './start.jsx';
 import { studiesOf } from './studies.jsx';
@@ -33,7 +33,6 @@ globalThis.prs = {
     return { values, responses, unit };
   },
   units: setUnits,
-  language: setLanguage,
 };
 
 document.addEventListener('keydown', (event) => {

@@ -1,7 +1,6 @@
 // The mechanism in three dimensions, whose script is loaded when it is looked at.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { loadMechanism } from '../page/mechanism.js';
-import * as mechanismTexts from '../mechanism/texts.js';
 import { current, state } from './store.js';
 import { t } from './texts.js';
 
@@ -30,16 +29,13 @@ export function Mechanism() {
       view.current = shown.current = null;
     }
     if (!seen || !document?.contact) return;
-    const key = [document, state.loadCase, state.language];
+    const key = [document, state.loadCase];
     if (shown.current && key.every((part, k) => part === shown.current[k])) return;
-    const isOther = shown.current?.[2] !== state.language;
     shown.current = key;
     loadMechanism().then((mount) => {
       if (!place.current) return;
-      if (view.current && !isOther) return void view.current.update(document, state.loadCase);
-      view.current?.dispose();
-      const texts = mechanismTexts[state.language === 'de' ? 'german' : 'texts'] ?? mechanismTexts.texts;
-      view.current = mount(place.current, { document, loadCase: state.loadCase, texts });
+      if (view.current) return void view.current.update(document, state.loadCase);
+      view.current = mount(place.current, { document, loadCase: state.loadCase });
     });
   });
 

@@ -3,7 +3,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { Mechanism } from './mechanism.jsx';
 import { headlinesOf, loadCaseNames } from './headlines.js';
 import { changed, current, page, state, toggleSection } from './store.js';
-import { languageOf, t, title } from './texts.js';
+import { t } from './texts.js';
 import { number, quantity, shownIn } from './units.js';
 
 const capital = (text) => text.replace(/^./, (c) => c.toUpperCase());
@@ -33,7 +33,7 @@ export function Headlines() {
         const shown = quantity(value, path, unit, state.units);
         return (
           <div key={path}>
-            <dt lang={languageOf(name)}>{capital(title(name))}</dt>
+            <dt>{capital(name)}</dt>
             <dd><div class="value" data-quantity={path} data-value={value}>{shown.text} <small>{shown.unit}</small></div></dd>
           </div>
         );
@@ -74,11 +74,11 @@ export function Verdict() {
           <tbody>
             {verdict.criteria.map((c) => (
               <tr key={c.name}>
-                <th scope="row" lang={languageOf(c.title)}>{title(c.title)}</th>
+                <th scope="row">{c.title}</th>
                 <td>{show(c, c.value)}</td>
                 <td>{c.limit === undefined ? '' : `${t(c.sense === 'least' ? 'atLeast' : 'atMost', show(c, c.limit))}, ${t(`source.${c.limit_source}`)}`}</td>
                 <td><span class={`state ${c.state}`}>{t(`state.${c.state}`)}</span></td>
-                <td lang={state.language === 'de' ? 'en' : undefined}>{[c.load_case, c.reason].filter(Boolean).join(': ')}</td>
+                <td>{[c.load_case, c.reason].filter(Boolean).join(': ')}</td>
               </tr>
             ))}
           </tbody>
@@ -108,7 +108,7 @@ export function Html({ html, id }) {
     }
     body.replaceChildren(template.content);
   });
-  return <div class="body" id={id} ref={place} lang={state.language === 'de' ? 'en' : undefined} />;
+  return <div class="body" id={id} ref={place} />;
 }
 
 export function Warnings() {
@@ -122,7 +122,7 @@ export function Warnings() {
   );
 }
 
-const ownPlaces = new Set(['verdict', 'warnings', 'studies', 'provenance']);
+const ownPlaces = new Set(['summary', 'verdict', 'warnings', 'studies', 'provenance']);
 
 export function Sections() {
   const v = current();
@@ -134,7 +134,7 @@ export function Sections() {
     return (
       <details key={id} id={`section-${id}`} class="section" open={isOpen}
         onToggle={(event) => toggleSection(id, event.currentTarget.open)}>
-        <summary><h2 lang={languageOf(name)}>{title(name)}</h2></summary>
+        <summary><h2>{name}</h2></summary>
         {isOpen && (html ? <Html html={html} /> : <p role="status">{t('computing')}</p>)}
       </details>
     );
@@ -142,5 +142,5 @@ export function Sections() {
 }
 
 export function Results() {
-  return <><Headlines /><Verdict /><Warnings /><Mechanism /><Sections />{state.language === 'de' && <p class="default">{t('engineEnglish')}</p>}</>;
+  return <><Headlines /><Verdict /><Warnings /><Mechanism /><Sections /></>;
 }

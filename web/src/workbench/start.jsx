@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { readFiles } from './files.js';
 import { ask, changed, current, kept, lessons, open, page, refresh, restore, state } from './store.js';
-import { languageOf, t } from './texts.js';
+import { t } from './texts.js';
 
 export const lesson = (l) => open(l.text, `${l.name}.yaml`);
 
@@ -47,7 +47,7 @@ function ByCatalogue({ done }) {
       ))}
       <div class="field"><label for="new-lubricant">{t('lubricant')}<small> {t('optional')}</small></label>
         <select id="new-lubricant" name="lubricant"><option value="">–</option>{page.lubricants.map((l) => <option>{l.name}</option>)}</select></div>
-      {trouble && <p class="wrong" id="new-trouble" role="alert" lang="en">{trouble}</p>}
+      {trouble && <p class="wrong" id="new-trouble" role="alert">{trouble}</p>}
       <p><button class="primary">{t('create')}</button></p>
     </form>
   );
@@ -78,7 +78,7 @@ export function Start({ done }) {
       <h2 id="start-title">{t('startTitle')}</h2>
       {kept().map((last) => (
         <p key={last.at}><button type="button" onClick={() => { restore(last); done?.(); }}>{t('goOn', last.variants.map((v) => v.name).join(', '))}</button>{' '}
-          <span class="default">{t('savedAt', new Date(last.at).toLocaleString(state.language))}</span></p>
+          <span class="default">{t('savedAt', new Date(last.at).toLocaleString('en'))}</span></p>
       ))}
       <div class="start-ways">
         <ByCatalogue done={done} />
@@ -86,7 +86,7 @@ export function Start({ done }) {
           <h3>{t('byLesson')}</h3>
           <p class="field"><label for="lesson">{t('lesson')}</label>
             <select id="lesson" value={chosen} onChange={(event) => setChosen(event.currentTarget.value)}>
-              {lessons.map((l) => <option value={l.name} lang={state.language === 'de' ? 'en' : undefined}>{l.name.slice(0, 2)}: {l.title}</option>)}
+              {lessons.map((l) => <option value={l.name}>{l.name.slice(0, 2)}: {l.title}</option>)}
             </select></p>
           <p><button type="button" onClick={() => { lesson(lessons.find((l) => l.name === chosen)); done?.(); }}>{t('openLesson')}</button></p>
           <h3>{t('byFile')}</h3>

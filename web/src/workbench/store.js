@@ -22,7 +22,6 @@ export const state = {
   variants: [],
   current: 0,
   units: 'si',
-  language: 'en',
   files: { ...lessonFiles }, // Texts of files that cases name.
   view: 'results',
   open: new Set(['mechanism', 'loads']), // Sections.
@@ -371,7 +370,7 @@ export async function refreshAll() {
   }
 }
 
-// Units, language, storage -----------------------------------------------------------------------
+// Units, storage ---------------------------------------------------------------------------------
 
 export function setUnits(units) {
   if (units !== 'si' && units !== 'us') throw new Error(`got ${units}; expected si or us`);
@@ -380,14 +379,6 @@ export function setUnits(units) {
   changed();
   save();
   if (current()) askSections(current(), refreshing);
-}
-
-export function setLanguage(language) {
-  if (language !== 'en' && language !== 'de') throw new Error(`got ${language}; expected en or de`);
-  state.language = language;
-  document.documentElement.lang = language;
-  changed();
-  save();
 }
 
 let saving = 0;

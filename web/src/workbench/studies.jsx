@@ -8,7 +8,7 @@ import { Chart } from './chart.jsx';
 import { saveFile } from './files.js';
 import { headlinesOf, responseInfo } from './headlines.js';
 import { current, questionOf, state } from './store.js';
-import { languageOf, t, title } from './texts.js';
+import { t } from './texts.js';
 import { number, shownIn } from './units.js';
 
 /** Those of the case at hand. */
@@ -39,7 +39,7 @@ function ResponseChoice({ value, onChange }) {
   const others = [...all].filter((path) => !first.includes(path) && responseInfo(path).title !== path);
   const option = (path) => {
     const { title: name, unit } = responseInfo(path);
-    return <option value={path}>{capital(title(name))}{unit && ` (${unit})`}</option>;
+    return <option value={path}>{capital(name)}{unit && ` (${unit})`}</option>;
   };
   return (
     <p class="field"><label for="study-response">{t('response')}</label>
@@ -78,7 +78,7 @@ function shown(path, values) {
   const { unit, title: name } = responseInfo(path);
   const largest = Math.max(...values.filter((x) => typeof x === 'number').map(Math.abs), 0);
   const how = shownIn(path, unit, state.units, largest);
-  return { ...how, label: axis(capital(title(name)), how.unit) };
+  return { ...how, label: axis(capital(name), how.unit) };
 }
 
 /** An SVG element with its title. */
@@ -95,7 +95,7 @@ function OneResult({ asked, found }) {
   return (
     <>
       <Chart title={how.label} x={axis(asked.one.path, found.unit)} y={how.label} series={[{ name: current().name, points }]} />
-      {refused && <p class="default" lang="en">{refused}</p>}
+      {refused && <p class="default">{refused}</p>}
       <div class="wide" tabindex={0} role="group" aria-label={t('document')}>
         <table class="quantities"><thead><tr><th scope="col">{axis(asked.one.path, found.unit)}</th><th scope="col">{how.label}</th></tr></thead>
           <tbody>{found.values.map((x, k) => <tr><th scope="row">{number(x, '', 5)}</th><td>{found.responses[k] === null ? '–' : number(how.convert(found.responses[k]), how.unit)}</td></tr>)}</tbody></table>
@@ -227,7 +227,7 @@ export function Studies() {
           <progress max={progress[1] || 1} value={progress[0]} aria-label={t('studies')} /> <span role="status">{t('progress', ...progress)}</span></>}
         {result && <button type="button" onClick={() => saveFile(`${v.name}.study.json`, 'application/json', `${JSON.stringify(result, null, 2)}\n`)}>{t('download')}</button>}
       </p>
-      {trouble && <p class="trouble" role="alert" lang="en">{trouble}</p>}
+      {trouble && <p class="trouble" role="alert">{trouble}</p>}
       {Result && <Result asked={result.asked} found={result.found} />}
     </section>
   );

@@ -1,0 +1,130 @@
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "prs/report/findings.h"
+#include "prs/report/tables.h"
+#include "prs/text.h"
+
+namespace prs {
+
+std::string_view glossary_text();  // docs/glossary.md
+
+namespace {
+
+struct Term {
+  std::vector<std::string> words;  ///< Words in one row: `lead`, `pitch`, `starts`.
+  std::string meaning;             ///< Markdown without links.
+};
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+/// Parts between separators, without the spaces around them.
+std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// The text without links to other documents, which a page does not have.
+std::string without_links(std::string_view text) {
+  std::string plain;
+  for (std::size_t at = text.find("]("); at != text.npos; at = text.find("](")) {
+    const std::size_t open = text.rfind('[', at), end = text.find(')', at);
+    const std::string_view name = text.substr(open + 1, at - open - 1);
+    plain += text.substr(0, open);
+    if (!name.ends_with(".md")) plain += name;
+    text.remove_prefix(end + 1);
+  }
+  return std::string(trimmed(plain += text));
+}
+
+/// Rows of the tables of docs/glossary.md.
+const std::vector<Term>& general_terms() {
+  static const std::vector<Term> all = [] {
+    std::vector<Term> terms;
+    for (const std::string_view line : parts_of(glossary_text(), '\n')) {
+      const std::vector<std::string_view> cells = parts_of(line, '|');
+      if (cells.size() != 4 || cells[1] == "word" || cells[1].starts_with("---")) continue;
+      Term& term = terms.emplace_back(Term{{}, without_links(cells[2])});
+      for (const std::string_view word : parts_of(cells[1], ',')) term.words.push_back(capitalised(std::string(word)));
+    }
+    return terms;
+  }();
+  return all;
+}
+
+std::string term_id(std::string_view word) {
+  std::string id = "term-";
+  for (const char c : word)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      id += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (id.back() != '-')
+      id += '-';
+  return id;
+}
+
+using Meanings = std::map<std::string, std::vector<std::string>>;
+
+/// Adds the quantities that a record of a document has.
+void add_quantities(const RecordInfo& info, const Json& record, Meanings& meanings) {
+  for (const QuantityInfo& q : info.quantities) {
+    const Json& value = under(record, std::string(q.key));
+    if (value.is_null()) continue;
+    if (q.kind == Kind::record && q.unit.empty()) add_quantities(q.record(), value, meanings);
+    std::vector<std::string>& known = meanings[capitalised(q.title)];
+    if (std::string meaning(q.meaning); !meaning.empty() && std::ranges::find(known, meaning) == known.end())
+      known.push_back(std::move(meaning));
+  }
+}
+
+}  // namespace
+
+std::string term_html(std::string_view word, std::string_view shown) {
+  return fmt::format("<a class=\"term\" href=\"#{}\" tabindex=\"-1\">{}</a>", term_id(word), prose_html(shown));
+}
+
+bool is_general_term(std::string_view title) {
+  return std::ranges::any_of(
+      general_terms(), [&](const Term& term) { return std::ranges::find(term.words, title) != term.words.end(); });
+}
+
+std::string glossary_html(const std::vector<std::pair<const RecordInfo*, const Json*>>& records) {
+  Meanings meanings;
+  for (const auto& [info, record] : records) add_quantities(*info, *record, meanings);
+  std::map<std::string, std::string> entries;  // By the order of their words.
+  std::set<std::string> ids;
+  const auto add = [&](const std::string& word, const std::string& meaning) {
+    if (meaning.empty() || !ids.insert(term_id(word)).second) return;
+    std::string order = word;
+    std::ranges::transform(order, order.begin(), [](unsigned char c) { return std::tolower(c); });
+    entries[order] = fmt::format("<dt id=\"{}\">{}</dt><dd>{}</dd>\n", term_id(word), prose_html(word), meaning);
+  };
+  for (const Term& term : general_terms())
+    for (const std::string& word : term.words) {
+      std::string meaning = prose_html(term.meaning);
+      if (const auto own = meanings.find(word); own != meanings.end())
+        for (const std::string& more : own->second)
+          meaning += fmt::format("</dd><dd>{}", prose_html(capitalised(more)));
+      add(word, meaning);
+    }
+  for (const auto& [word, known] : meanings) {
+    std::string meaning;
+    for (const std::string& one : known)
+      meaning += fmt::format("{}{}", meaning.empty() ? "" : "</dd><dd>", prose_html(capitalised(one)));
+    add(word, meaning);
+  }
+  std::string text = "<dl class=\"terms\">\n";
+  for (const auto& [order, entry] : entries) text += entry;
+  return text + "</dl>\n";
+}
+
+}  // namespace prs
