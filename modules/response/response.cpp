@@ -356,6 +356,27 @@ PrsDrive drive_of(const Case& c, const ResponseInput& in, const SystemCurves& cu
   return d;
 }
 
+DriveResult run_drive(const PrsDrive& drive, const ResponseInput& in, const std::vector<double>* times) {
+  DriveSignals signals{BoundSignal(in.signal().terms()), BoundSignal(in.load.acting().terms())};
+  DriveResult result;
+  modules::loaded<ResponseModule>().integrate(
+      {drive, signals.functions(), in.duration, in.interval(), times ? times->size() : in.samples(), in.tolerance,
+       std::max(signals.motor.fastest(), signals.force.fastest()), times},
+      result);
+  if (result.status == DriveStatus::left_shaft && in.load.linkage)
+    if (const double angle = prs_lever_at(&drive, result.position).angle; prs_is_dead_centre(angle))
+      throw CaseError("response.load.linkage",
+                      fmt::format("the lever reaches {:.4g} deg at {:.6g} s, a dead centre; expected an angle from 1 to "
+                                  "179 deg; change the motion, base or arm, or take an end stop",
+                                  angle * "deg"_per_si, result.stopped_at));
+  if (result.status == DriveStatus::left_shaft)
+    throw CaseError("response.shaft.length",
+                    fmt::format("the nut leaves the shaft at position {:.6g} mm, {:.6g} s; expected a motion on the "
+                                "shaft; take a longer one, or an end stop",
+                                1e3 * result.position, result.stopped_at));
+  return result;
+}
+
 ResponseResult analyze_response(const Case& c, const input::Source& source, const std::vector<double>* times) {
   ResponseResult r;
   r.input = with_signal_files(c, source);
@@ -368,29 +389,8 @@ ResponseResult analyze_response(const Case& c, const input::Source& source, cons
   r.curves_force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
   if (!curves.friction.speed.empty()) r.curves_speed = curves.friction.speed.back();
   r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
-  DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.acting().terms())};
   if (r.input.frequency_response) r.frequency_response = frequency_response(drive, r.input);
-  const DriveRun run{drive,
-                     signals.functions(),
-                     r.input.duration,
-                     r.input.interval(),
-                     times ? times->size() : r.input.samples(),
-                     r.input.tolerance,
-                     std::max(signals.motor.fastest(), signals.force.fastest()),
-                     times};
-  modules::loaded<ResponseModule>().integrate(run, r.run);
-  if (r.run.status == DriveStatus::left_shaft && r.input.load.linkage &&
-      prs_is_dead_centre(prs_lever_at(&drive, r.run.position).angle))
-    throw CaseError(
-        "response.load.linkage",
-        fmt::format("the lever reaches {:.4g} deg at {:.6g} s, a dead centre; expected an angle from 1 to 179 "
-                    "deg; change the motion, base or arm, or take an end stop",
-                    prs_lever_at(&drive, r.run.position).angle * "deg"_per_si, r.run.stopped_at));
-  if (r.run.status == DriveStatus::left_shaft)
-    throw CaseError("response.shaft.length",
-                    fmt::format("the nut leaves the shaft at position {:.6g} mm, {:.6g} s; expected a motion on the "
-                                "shaft; take a longer one, or an end stop",
-                                1e3 * r.run.position, r.run.stopped_at));
+  r.run = run_drive(drive, r.input, times);
   const double least = 1e-4 * std::max(curves.senses.tension.force.back(), curves.senses.compression.force.back());
   for (const Direction d : kDirections) {
     const DrivePeak& peak = d == Direction::tension ? r.run.tension : r.run.compression;

@@ -65,6 +65,10 @@ inline constexpr EnergyLoss kEnergyLosses[] = {{"screw friction", &DriveResult::
                                                {"end stops", &DriveResult::end_stop},
                                                {"viscous", &DriveResult::viscous}};
 
+/// Integration of a drive over the signals of its block. Throws CaseError where the nut leaves the shaft, and
+/// modules::Missing.
+DriveResult run_drive(const PrsDrive& drive, const ResponseInput& input, const std::vector<double>* times = nullptr);
+
 /// Everything that `analyze_response` computes, SI units.
 struct ResponseResult {
   ResponseInput input;

@@ -175,7 +175,9 @@ void add_export_options(CLI::App& command, Options& options) {
   add_flag(command, "--mjcf", o.mjcf, "Write the drive for MuJoCo, CASE.mjcf.xml");
   add_flag(command, "--urdf", o.urdf, "Write the drive for ROS and other robot simulators, CASE.urdf");
   add_value(command, "--friction-load", o.friction_load, "FORCE",
-            "Load whose friction robot simulators take; default: half of the largest force");
+            "Load whose friction robot simulators take; default: the root mean square force of the run of `response`");
+  take_one_of(command.add_option("--play", o.play, "With --mjcf: play and elasticity as a joint of their own"),
+              {"joint"});
   add_flag(command, "--step", o.step, "Print how the Python package writes grooved bodies for CAD");
   add_value(command, "--force", o.force, "FORCE", "Largest force of the curves; default: that of the case");
   add_value(command, "--speed", o.speed, "SPEED", "Largest speed of the torque; default: that of the case");

@@ -22,7 +22,7 @@ struct ConfigurationOptions {
 /// Arguments of `prs export`; quantities as the user wrote them.
 struct ExportOptions {
   bool fmu = false, modelica = false, step = false, mjcf = false, urdf = false, is_static = false;
-  std::optional<std::string> force, speed, load_case, friction_load;
+  std::optional<std::string> force, speed, load_case, friction_load, play;
   std::optional<std::filesystem::path> output;  ///< Path of a file or a folder.
 };
 

@@ -47,6 +47,7 @@ std::vector<const Form*> forms_of(const ExportOptions& options) {
   std::vector<const Form*> forms;
   for (const Form& form : kForms)
     if (options.*form.is_asked_for) forms.push_back(&form);
+  if (options.play && !options.mjcf) throw UsageError("--play: needs --mjcf, whose file then has the joint");
   return forms;
 }
 
@@ -94,8 +95,10 @@ Destination destination_of(const std::vector<const Form*>& forms, const SystemMo
   if (output) place.folder = is_file ? output->parent_path() : *output;
   for (const Form* form : forms) {
     const bool is_unit = form->is_asked_for == &ExportOptions::fmu;
-    place.files.push_back({is_file ? output->filename().string() : model.text.name + form->ending,
-                           form->make(is_unit ? unit : model, robot)});
+    const std::string file = is_file ? output->filename().string() : model.text.name + form->ending;
+    place.files.push_back({file, form->make(is_unit ? unit : model, robot)});
+    if (form->is_asked_for == &ExportOptions::mjcf)
+      place.files.push_back(mujoco_callback(*model.drive, *robot, model.text, file));
   }
   return place;
 }
@@ -137,8 +140,7 @@ int export_model(const Options& options) {
   std::optional<double> friction_load;
   if (o.friction_load) friction_load = positive_option("--friction-load", *o.friction_load, input::unit::force, "N");
   if (for_robots)
-    robot = input::compute_from(source,
-                                [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
+    robot = input::compute_from(source, [&] { return robot_constants(model, friction_load, o.play.has_value()); });
   std::optional<SystemModel> still;  // Model without the drive, which robots need.
   if (o.fmu && o.is_static && for_robots) still = system_model(source, asked, WithDrive::never);
   Destination place = destination_of(forms, model, still ? *still : model, robot, output);

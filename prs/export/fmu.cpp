@@ -22,6 +22,7 @@ PRS_EMBED(drive_variables, "prs/export/drive_variables.txt")
 PRS_EMBED(unit_c, "prs/export/unit.c")
 PRS_EMBED(licence, "LICENSE")
 PRS_EMBED(library, "prs_unit.so")
+PRS_EMBED(windows_library, "prs_unit.dll")
 PRS_EMBED(modelica_functions, "prs/export/curves.mo")
 
 namespace prs {
@@ -78,6 +79,7 @@ std::string with_drive(std::string xml, const ResponseInput& in, double reach) {
   const std::string_view units = "<UnitDefinitions>\n";
   xml.insert(xml.find(units) + units.size(),
              "    <Unit name=\"m/s\"><BaseUnit m=\"1\" s=\"-1\"/></Unit>\n"
+             "    <Unit name=\"m/s2\"><BaseUnit m=\"1\" s=\"-2\"/></Unit>\n"
              "    <Unit name=\"rad\"><BaseUnit rad=\"1\"/></Unit>\n");
   return xml;
 }
@@ -183,11 +185,14 @@ std::string functional_mockup_unit(const SystemModel& model) {
   const ModelText& text = model.text;
   const std::string data = bytes_of(curves.data());
   const std::string drive = model.drive ? bytes_of(drive_numbers(model)) : std::string();
-  const std::string guid = guid_of(description_xml(model, "") + data + drive + std::string(library()));
+  const std::string guid =
+      guid_of(description_xml(model, "") + data + drive + std::string(library()) + std::string(windows_library()));
   std::vector<OutputFile> files{{"modelDescription.xml", description_xml(model, guid)}};
 #if defined(__x86_64__) && defined(__linux__)  // The standard names only a few platforms.
   files.push_back({fmt::format("binaries/linux64/{}.so", text.name), std::string(library())});
 #endif
+  if (!windows_library().empty())
+    files.push_back({fmt::format("binaries/win64/{}.dll", text.name), std::string(windows_library())});
   files.push_back({"documentation/index.html", documentation(curves, text)});
   const auto add = [&](const char* name, std::string_view content) { files.push_back({name, std::string(content)}); };
   add("documentation/licenses/license.txt", licence());

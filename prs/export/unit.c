@@ -5,6 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef _WIN32
+#include <windows.h>
+#endif
+
 #include "dormand_prince.h"
 #include "fmi2.h"
 
@@ -26,8 +30,9 @@ enum {
   kScrewAngle,
   kScrewVelocity,
   kCouplingTorque,
+  kAcceleration,
   kDriveInputs = kPosition,
-  kDriveVariables = kCouplingTorque + 1
+  kDriveVariables = kAcceleration + 1
 };
 
 static const double kTolerance = 1e-8; /* Of a step */
@@ -105,6 +110,16 @@ static int path_of(const char* uri, const char* file, char* path, size_t size) {
   return 1;
 }
 
+/* A file by its path in UTF-8. */
+static FILE* open_file(const char* path) {
+#ifdef _WIN32
+  wchar_t wide[4096];
+  return MultiByteToWideChar(CP_UTF8, 0, path, -1, wide, 4096) ? _wfopen(wide, L"rb") : NULL;
+#else
+  return fopen(path, "rb");
+#endif
+}
+
 /* The whole file, which the caller frees; NULL where it cannot be read. */
 static char* content_of(const char* uri, const char* file, size_t* size) {
   char path[4096];
@@ -112,7 +127,7 @@ static char* content_of(const char* uri, const char* file, size_t* size) {
   char* content = NULL;
   long length;
   if (!path_of(uri, file, path, sizeof path)) return NULL;
-  stream = fopen(path, "rb");
+  stream = open_file(path);
   if (!stream) return NULL;
   if (fseek(stream, 0, SEEK_END) == 0 && (length = ftell(stream)) >= 0 && fseek(stream, 0, SEEK_SET) == 0) {
     *size = (size_t)length;
@@ -178,8 +193,9 @@ static void warn_of_curves(Unit* unit, const PrsView* view) {
 
 static void take_values(Unit* unit) {
   double* const value = unit->state.value;
+  double rate[PRS_STATES];
   PrsView view;
-  prs_view(&unit->run, unit->run.state.t, unit->run.state.y, NULL, &view);
+  prs_view(&unit->run, unit->run.state.t, unit->run.state.y, rate, &view);
   warn_of_curves(unit, &view);
   memcpy(value, unit->state.input, sizeof unit->state.input);
   if (unit->drive.by != PRS_BY_TORQUE) value[kMotorTorque] = view.motor_torque;
@@ -192,6 +208,7 @@ static void take_values(Unit* unit) {
   value[kScrewAngle] = view.phi;
   value[kScrewVelocity] = view.omega;
   value[kCouplingTorque] = view.coupling_torque;
+  value[kAcceleration] = rate[PRS_V];
 }
 
 /* The drive at rest on its start, under the inputs as they are. */

@@ -120,7 +120,7 @@ std::string CaseSource::thread_profiles() const {
 
 std::vector<std::string> CaseSource::export_model(const std::string& file, std::optional<double> force,
                                                   std::optional<double> speed, std::optional<std::string> load_case,
-                                                  std::optional<double> friction_load) const {
+                                                  std::optional<double> friction_load, bool play_joint) const {
   const GilRelease released;
   const std::filesystem::path path(file);
   const std::string ending = path.extension();
@@ -132,14 +132,17 @@ std::vector<std::string> CaseSource::export_model(const std::string& file, std::
   model.text.name = model_name(file);
   std::optional<RobotConstants> robot;
   if (for_robots)
-    robot = input::compute_from(*source_,
-                                [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
-  StagedFile staged(path);
-  staged.append(ending == ".mo"     ? modelica_package(model.curves, model.text)
-                : ending == ".xml"  ? mjcf(*model.drive, *robot, model.text)
-                : ending == ".urdf" ? urdf(*model.drive, *robot, model.text)
-                                    : functional_mockup_unit(model));
-  staged.publish();
+    robot = input::compute_from(*source_, [&] { return robot_constants(model, friction_load, play_joint); });
+  const auto write = [&](const OutputFile& out) {
+    StagedFile staged(path.parent_path() / out.name);
+    staged.append(out.content);
+    staged.publish();
+  };
+  if (ending == ".xml") write(mujoco_callback(*model.drive, *robot, model.text, path.filename()));
+  write({path.filename(), ending == ".mo"     ? modelica_package(model.curves, model.text)
+                          : ending == ".xml"  ? mjcf(*model.drive, *robot, model.text)
+                          : ending == ".urdf" ? urdf(*model.drive, *robot, model.text)
+                                              : functional_mockup_unit(model)});
   return sentences(model.curves.warnings);
 }
 
@@ -173,7 +176,7 @@ void bind_case(nb::module_& module) {
            "Axial profiles of the threads as JSON, in metres: radii, and half the width of the "
            "groove at each; of the nut those of the air in it.")
       .def("export_model", &CaseSource::export_model, nb::arg("file"), nb::arg("force").none(), nb::arg("speed").none(),
-           nb::arg("load_case").none(), nb::arg("friction_load").none() = nb::none(),
+           nb::arg("load_case").none(), nb::arg("friction_load").none() = nb::none(), nb::arg("play_joint") = false,
            "Writes a model of the screw by the file's ending, .fmu, .mo, .xml or .urdf; its warnings.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
   module.def(

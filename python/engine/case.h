@@ -37,7 +37,7 @@ class CaseSource {
   /// Writes one of the forms of `prs export`, chosen by its ending; returns warnings.
   std::vector<std::string> export_model(const std::string& file, std::optional<double> force,
                                         std::optional<double> speed, std::optional<std::string> load_case,
-                                        std::optional<double> friction_load) const;
+                                        std::optional<double> friction_load, bool play_joint) const;
 
  private:
   std::shared_ptr<const input::CaseInput> input(Command command) const;

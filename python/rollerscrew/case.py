@@ -403,12 +403,18 @@ class Case(Analyses):
         speed: float | None = None,
         load_case: str | None = None,
         friction_load: float | None = None,
+        play: Literal["joint"] | None = None,
     ) -> list[str]:
         """Writes the drive of the block `response` for MuJoCo; its warnings.
 
-        The friction is that under `friction_load` [N], else under half of the largest force.
+        The friction is that under `friction_load` [N], else under the root mean square force of
+        the run of `response`. Friction by force and sense is in a module of Python beside the
+        file: `axis_friction.py` beside `axis.xml`. `play="joint"` makes play and elasticity a
+        joint of their own.
         """
-        return self._export(file, ".xml", force, speed, load_case, friction_load)
+        if play not in (None, "joint"):
+            raise ValueError(f"play: got {play!r}; expected 'joint' or None")
+        return self._export(file, ".xml", force, speed, load_case, friction_load, play == "joint")
 
     def export_urdf(
         self,
@@ -430,6 +436,7 @@ class Case(Analyses):
         speed: float | None,
         load_case: str | None,
         friction_load: float | None = None,
+        play_joint: bool = False,
     ) -> list[str]:
         name = _file_name(file)
         if not name.endswith(ending):
@@ -438,7 +445,8 @@ class Case(Analyses):
         for what, value in given:
             if value is not None and not (math.isfinite(value) and value > 0.0):
                 raise ValueError(f"{what}: got {value!r}; expected a finite number > 0")
-        return self._case.export_model(name, force, speed, load_case, friction_load)
+        options = (force, speed, load_case, friction_load, play_joint)
+        return self._case.export_model(name, *options)
 
     def study(
         self,

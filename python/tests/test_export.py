@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import math
+import os
+import re
+import shutil
+import subprocess
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -140,11 +144,109 @@ def test_unit_has_its_sources(unit: Path, tmp_path: Path, compiler: Callable[...
         np.testing.assert_allclose(compiled[name], shipped[name], rtol=1e-13)
 
 
+#: Compilers for Windows, and wine, which runs its programs.
+FOR_WINDOWS = ("x86_64-w64-mingw32-gcc-win32", "x86_64-w64-mingw32-gcc")
+WINE = ("wine64", "/usr/lib/wine/wine64", "wine")
+
+
+def tool(names: tuple[str, ...]) -> str:
+    found = next(filter(None, map(shutil.which, names)), None)
+    if found is None:
+        pytest.skip(f"no {names[-1]}")
+    return found
+
+
+def drive_unit(folder: Path) -> Path:
+    lesson(36).export_fmu(folder / "servo.fmu")
+    return folder / "servo.fmu"
+
+
+def test_units_have_a_library_for_windows(unit: Path, tmp_path: Path) -> None:
+    """Of both kinds, with the screw alone and with its drive, by FMPy and by the file's head."""
+    fmpy = pytest.importorskip("fmpy")
+    tool(FOR_WINDOWS)
+    for file in (unit, drive_unit(tmp_path)):
+        assert {"win64", "linux64"} <= set(fmpy.supported_platforms(str(file)))
+        with zipfile.ZipFile(file) as archive:
+            (name,) = [name for name in archive.namelist() if name.endswith(".dll")]
+            library = archive.read(name)
+        head = int.from_bytes(library[0x3C:0x40], "little")
+        assert library[:2] == b"MZ" and library[head : head + 4] == b"PE\0\0"
+        assert library[head + 4 : head + 6] == b"\x64\x86"  # x86-64
+        with zipfile.ZipFile(file) as archive:
+            source = archive.read("sources/unit.c").decode()
+        functions = set(re.findall(r"\b(fmi2[A-Z]\w+)\)\s*\(", source))
+        assert len(functions) > 30
+        assert all(b"\0" + name.encode() + b"\0" in library for name in functions)
+
+
+@pytest.mark.parametrize("with_drive", [False, True])
+def test_library_for_windows_gives_the_same(unit: Path, tmp_path: Path, with_drive: bool) -> None:
+    """By a host for Windows under wine, in a folder whose name no code page has."""
+    fmpy = pytest.importorskip("fmpy")
+    compiler, wine = tool(FOR_WINDOWS), tool(WINE)
+    file = drive_unit(tmp_path) if with_drive else unit
+    folder = tmp_path / "Größe 大"
+    with zipfile.ZipFile(file) as archive:
+        archive.extractall(folder)
+    (library,) = folder.glob("binaries/win64/*.dll")
+    library = library.rename(tmp_path / "unit.dll")
+    host = tmp_path / "host.exe"
+    source = Path(__file__).with_name("fmi_host.c")
+    subprocess.run(
+        [compiler, "-std=c99", "-Wall", "-Werror", f"-I{folder / 'sources'}", source, "-o", host],
+        check=True,
+    )
+    description = fmpy.read_model_description(str(file))
+    variables = description.modelVariables
+    inputs = [v for v in variables if v.causality == "input"]
+    outputs = [v for v in variables if v.causality == "output"]
+    step, count = 1e-3, 40
+    largest = {
+        "deflection": 20e-6,
+        "speed": 3.0,
+        "reference": 1.6e-3,
+        "reference_speed": 0.0,
+        "external_force": 1500.0,
+    }
+    rows = [[largest[v.name] * math.sin(0.1 * (k + 1)) for v in inputs] for k in range(count)]
+    prefix = {"WINEPREFIX": str(tmp_path / "wine"), "WINEDEBUG": "-all"}
+    uri = "file:///Z:" + (folder / "resources").as_uri().removeprefix("file://")
+    references = [",".join(str(v.valueReference) for v in some) for some in (inputs, outputs)]
+    run = subprocess.run(
+        [wine, host, library, description.guid, uri, f"{step!r}", *references],
+        input="\n".join(" ".join(f"{value!r}" for value in row) for row in rows),
+        env=os.environ | prefix,
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stderr
+    found = np.array([line.split() for line in run.stdout.splitlines()], dtype=float)
+    slave: Any = fmpy.fmi2.FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=fmpy.extract(str(file), str(tmp_path / "here")),
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="here",
+    )
+    slave.instantiate()
+    slave.setupExperiment(startTime=0.0)
+    slave.enterInitializationMode()
+    expected = []
+    for k, row in enumerate(rows):
+        slave.setReal([v.valueReference for v in inputs], row)
+        if k == 0:
+            slave.exitInitializationMode()
+        slave.doStep(k * step, step)
+        expected.append(slave.getReal([v.valueReference for v in outputs]))
+    slave.terminate()
+    slave.freeInstance()
+    size = np.max(np.abs(expected), axis=0)
+    assert found.shape == (count, len(outputs))
+    np.testing.assert_allclose(found / size, expected / size, rtol=0, atol=1e-9)
+
+
 @pytest.fixture
 def compiler() -> Callable[..., None]:
-    import shutil
-    import subprocess
-
     path = shutil.which("cc")
     if path is None:
         pytest.skip("no C compiler")
