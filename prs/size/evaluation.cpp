@@ -186,7 +186,7 @@ class Evaluation {
                              "place, if it prints one"});
   }
 
-  /// Computes the stiffness under the load case with the largest force, at rest, in series with the shaft.
+  /// Computes the stiffness under the load case with the largest force, at rest, in series with shaft and bearing.
   void find_stiffness() {
     std::size_t largest = sized_.back_driving();
     for (std::size_t k = 0; k < sized_.back_driving(); ++k)
@@ -196,7 +196,10 @@ class Evaluation {
     Conditions at_rest = sized_.c;
     at_rest.load_cases = {sized_.c.load_cases[largest]};
     const std::optional<double> nut = analyze(at_rest, contacts_, kManyDesigns).load_cases.front().axial_stiffness;
-    if (nut && measures_.shaft_stiffness) c_.stiffness = 1.0 / (1.0 / *nut + 1.0 / *measures_.shaft_stiffness);
+    if (!nut || !measures_.shaft_stiffness) return;
+    double compliance = 1.0 / *nut + 1.0 / *measures_.shaft_stiffness;
+    if (r_.bearings && r_.bearings->fixed.stiffness) compliance += 1.0 / *r_.bearings->fixed.stiffness;
+    c_.stiffness = 1.0 / compliance;
   }
 
   void find_losses() {

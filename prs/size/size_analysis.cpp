@@ -179,7 +179,7 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"largest_speed_rpm", of<&SizedCandidate::largest_speed>, "of screw against nut"},
     {"speed_times_diameter_mm_per_min", of<&SizedCandidate::speed_times_diameter>, "d the nominal diameter"},
     {"stiffness_N_per_um", of<&SizedCandidate::stiffness>,
-     "of the load case with the largest force, in series with the shaft"},
+     "of the load case with the largest force, in series with shaft and bearing"},
     {"efficiency", of<&SizedCandidate::efficiency>, "of the cycle, where the screw drives"},
     {"back_driving_efficiency", of<&SizedCandidate::back_driving_efficiency>, "absent where the screw locks itself"},
     {"self_locking", of<&SizedCandidate::self_locking>, "by slip"},
