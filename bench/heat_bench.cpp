@@ -54,7 +54,7 @@ void DutyOfAnHour(benchmark::State& state, LoadCase::Share share, ModelOptions::
   for (int k = 0; k < 3600; ++k) c.heat->duty.push_back({c.load_cases[k % 3 == 0 ? 0 : 1].name, 1.0, {}});
   const Contacts contacts = checked_contacts(c, Detail::numbers);
   std::vector<Warning> warnings;
-  for (auto _ : state) benchmark::DoNotOptimize(periodic_heat_cycle(c, contacts, warnings));
+  for (auto _ : state) benchmark::DoNotOptimize(duty_cycle(c, contacts, warnings));
 }
 BENCHMARK_CAPTURE(DutyOfAnHour, equal_shares, LoadCase::Share::equal, ModelOptions::Loads::at_rest)
     ->Unit(benchmark::kMillisecond);

@@ -327,8 +327,8 @@ struct FitEvaluation::Parts {
     std::vector<Heat::DutyStep> duty = cut(c.heat->duty, group.places);
     std::swap(duty, c.heat->duty);
     std::vector<Warning> none;
-    const HeatCycle cycle = periodic_heat_cycle(c, checked_contacts(c, Detail::numbers), none,
-                                                known == group.losses.end() ? nullptr : &known->second, found);
+    const HeatCycle cycle = duty_cycle(c, checked_contacts(c, Detail::numbers), none,
+                                       known == group.losses.end() ? nullptr : &known->second, found);
     std::swap(duty, c.heat->duty);
     if (!cycle.converged()) {
       rows.reason = cycle.reason;

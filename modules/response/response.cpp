@@ -365,10 +365,11 @@ DriveResult run_drive(const PrsDrive& drive, const ResponseInput& in, const std:
       result);
   if (result.status == DriveStatus::left_shaft && in.load.linkage)
     if (const double angle = prs_lever_at(&drive, result.position).angle; prs_is_dead_centre(angle))
-      throw CaseError("response.load.linkage",
-                      fmt::format("the lever reaches {:.4g} deg at {:.6g} s, a dead centre; expected an angle from 1 to "
-                                  "179 deg; change the motion, base or arm, or take an end stop",
-                                  angle * "deg"_per_si, result.stopped_at));
+      throw CaseError(
+          "response.load.linkage",
+          fmt::format("the lever reaches {:.4g} deg at {:.6g} s, a dead centre; expected an angle from 1 to "
+                      "179 deg; change the motion, base or arm, or take an end stop",
+                      angle * "deg"_per_si, result.stopped_at));
   if (result.status == DriveStatus::left_shaft)
     throw CaseError("response.shaft.length",
                     fmt::format("the nut leaves the shaft at position {:.6g} mm, {:.6g} s; expected a motion on the "

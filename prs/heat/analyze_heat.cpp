@@ -156,8 +156,6 @@ namespace {
 /// stay.
 Result with_temperatures(Result result, const Conditions& c) {
   const ThermalNetwork network = thermal_network(*c.heat);
-  double cycle = 0.0;
-  for (const Heat::DutyStep& step : c.heat->duty) cycle += step.time();
   for (LoadCaseResult& r : result.load_cases) {
     SteadyHeat found;
     bool known = true;
@@ -168,7 +166,7 @@ Result with_temperatures(Result result, const Conditions& c) {
     if (c.heat->duty.empty()) take(r, 1.0);
     for (const Heat::DutyStep& step : c.heat->duty)
       for (const LoadCaseResult& other : result.load_cases)
-        if (step.load_case == other.load_case.name) take(other, step.time() / cycle);
+        if (step.load_case == other.load_case.name) take(other, step.time() / c.heat->period());
     found.temperature = network.steady(found.heat);
     found.status = known ? HeatStatus::converged : HeatStatus::no_steady_state;
     if (!known) found.reason = "there is no slip";
@@ -185,25 +183,36 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
   require_rolling(c, contacts);
   Result result;
   result.model = c.model;
+  std::vector<Warning> of_cycle;
+  if (!c.heat->duty.empty()) {
+    result.heat_cycle = duty_cycle(c, contacts, of_cycle, nullptr, nullptr, options.temperature_limit);
+    if (!result.heat_cycle->converged())
+      of_cycle.push_back(
+          {"heat.duty", "no_cycle", fmt::format("{}: {}", name(result.heat_cycle->status), result.heat_cycle->reason)});
+  }
+  const OfParts ambient = OfParts::Constant(c.heat->ambient);
   for (const LoadCase& load : c.load_cases) {
-    const TimedLoad all_the_time[] = {{load}};
-    const SteadyHeat found = steady_heat_of(c, contacts, all_the_time);
-    const OfParts temperature = found.converged() ? found.temperature : OfParts::Constant(c.heat->ambient);
+    SteadyHeat found;
+    if (c.heat->has_mission()) {
+      found.status = result.heat_cycle->status;
+      found.reason = result.heat_cycle->reason;
+      if (found.converged()) found.temperature = of_parts(result.heat_cycle->mean);
+    } else {
+      const TimedLoad all_the_time[] = {{load}};
+      found = steady_heat_of(c, contacts, all_the_time);
+    }
+    const OfParts temperature = found.converged() ? found.temperature : ambient;
     const Oils oils = warm_oils(c, oil_temperatures(temperature));
     Result one = analyze_slip(at_temperatures(c, load, temperature), contacts, options, oils);
     LoadCaseResult& loaded = one.load_cases.front();
+    if (c.heat->has_mission() && loaded.slip) found.heat = heat_of(loaded.slip->power);
     loaded.heat = result_of(found, c.lubricant.has_value());
     if (!found.converged()) loaded.slip.reset();
     if (options.detail == Detail::complete) warn(*loaded.heat, loaded.warnings);
     result.load_cases.push_back(std::move(loaded));
     add_new(std::move(one.warnings), result.warnings);
   }
-  if (!c.heat->duty.empty()) {
-    result.heat_cycle = periodic_heat_cycle(c, contacts, result.warnings);
-    if (!result.heat_cycle->converged())
-      result.warnings.push_back(
-          {"heat.duty", "no_cycle", fmt::format("{}: {}", name(result.heat_cycle->status), result.heat_cycle->reason)});
-  }
+  add_new(std::move(of_cycle), result.warnings);
   result.contacts = std::move(contacts);
   return result;
 }
@@ -235,7 +244,7 @@ LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::option
     status = heat.status, reason = heat.reason;
     temperature = per_part(heat.temperature);
   } else {
-    const HeatCycle cycle = periodic_heat_cycle(c, contacts, warnings);
+    const HeatCycle cycle = duty_cycle(c, contacts, warnings);
     status = cycle.status, reason = cycle.reason;
     temperature = cycle.mean;
   }

@@ -17,18 +17,15 @@ constexpr double kShortest = 1e-6;         // Step over the fastest time constan
 constexpr double kNoOutput = 1e-9;         // Share of the energy input that counts as no output.
 constexpr double kMargin = 0.25;           // Margin of tables around the cycle [K].
 constexpr double kKeptMargin = 3.0;        // Margin of tables that serve other cycles too [K].
+constexpr double kFirstReach = 40.0;       // Rise up to which losses of a mission are first tabulated [K].
 
 /// Effort to find the range of temperatures, and then over it; with solved shares the exact losses cost twenty times
 /// those of equal ones.
 constexpr LossTable::Effort kRoughTable{1e-4, 200}, kTable{1e-9, 6000}, kSolvedTable{3e-9, 1500};
+/// A mission visits ten times the range of a cycle, and nothing is iterated on its end.
+constexpr LossTable::Effort kMissionTable{3e-7, 600}, kSolvedMissionTable{3e-7, 300};
 
 double largest_of(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
-
-/// A part of the duty: the index of its table, and its duration.
-struct Segment {
-  std::size_t table = 0;
-  double duration = 0.0;
-};
 
 /// Temperatures of the parts, the integrals over time of their rise above ambient [K s], and the
 /// energies lost, in and out [J].
@@ -73,25 +70,44 @@ struct Warming {
     return std::nullopt;
   }
 
-  /// Highest temperature of each part in a step of h: inside it for parts that warm at its start and cool at its end.
-  OfParts greatest_within(const State& from, const State& to, double h) const {
+  /// Highest temperatures of the parts in a step, and their times from its start.
+  struct Peak {
+    OfParts greatest, time;
+  };
+  /// Peaks in a step of h: inside it for parts that warm at its start and cool at its end.
+  Peak peak_within(const State& from, const State& to, double h) const {
     const auto rate = [&](const State& x) { return rate_at(x, table.value_at(x.head<3>())); };
     const State first = rate(from), last = rate(to);
-    OfParts greatest = from.head<3>().cwiseMax(to.head<3>());
+    Peak peak{from.head<3>().cwiseMax(to.head<3>()), OfParts::Constant(h)};
     for (int p = 0; p < 3; ++p) {
       if (!(first[p] > 0.0 && last[p] < 0.0)) continue;
       const auto slope = [&](double time) {
         int columns = 0;
         const std::optional<State> then = step(from, time, columns);
         if (!then) return 0.0;
-        greatest[p] = std::max(greatest[p], (*then)[p]);
+        if ((*then)[p] > peak.greatest[p]) peak.greatest[p] = (*then)[p], peak.time[p] = time;
         return rate(*then)[p];
       };
       std::uintmax_t most = 8;
       boost::math::tools::toms748_solve(slope, 0.0, h, first[p], last[p], boost::math::tools::eps_tolerance<double>(20),
                                         most);
     }
-    return greatest;
+    return peak;
+  }
+
+  /// Time from the start of a step until a part reaches `limit`, which it does up to the time `peak`.
+  double time_to(double limit, int part, const State& from, double peak) const {
+    if (from[part] >= limit) return 0.0;
+    const auto excess = [&](double time) {
+      int columns = 0;
+      const std::optional<State> then = step(from, time, columns);
+      return then ? (*then)[part] - limit : 0.0;
+    };
+    std::uintmax_t most = 60;
+    const auto [early, late] =
+        boost::math::tools::toms748_solve(excess, 0.0, peak, from[part] - limit, std::max(excess(peak), 0.0),
+                                          boost::math::tools::eps_tolerance<double>(50), most);
+    return 0.5 * (early + late);
   }
 
   using Derivative = Eigen::Matrix<double, 9, 3>;
@@ -121,22 +137,22 @@ struct Warming {
 /// The duty in the form for lumped parts.
 class RepeatedCycle {
  public:
-  RepeatedCycle(const ThermalNetwork& network, const OfParts& capacity, std::vector<Segment> segments)
-      : network_(network), capacity_(capacity), segments_(std::move(segments)) {
-    for (const Segment& s : segments_) period_ += s.duration;
+  RepeatedCycle(const ThermalNetwork& network, const OfParts& capacity, std::span<const DutySegment> segments)
+      : network_(network), capacity_(capacity), segments_(segments) {
+    for (const DutySegment& s : segments_) period_ += s.duration;
   }
 
   double period() const { return period_; }
 
-  /// Integrates over the cycle; calls `visit(table, time, temperature, greatest)` at every step's end, where greatest()
-  /// gives the highest temperatures within the step. Returns false if steps become too small or temperatures leave all
-  /// bounds.
+  /// Integrates over the cycle; calls `visit(table, time, state, step)` at every step's end, where step(use) calls
+  /// `use(warming, state before, duration)` for more about the step. Returns false if steps become too small or
+  /// temperatures leave all bounds.
   template <class Visit>
   bool run(const std::vector<LossTable>& tables, State& state, Visit visit) const {
     const double longest = period_ / kLeastPoints;
     const double shortest = kShortest * capacity_.cwiseQuotient(network_.conductance.diagonal()).minCoeff();
     double start = 0.0, h = longest;
-    for (const Segment& segment : segments_) {
+    for (const DutySegment& segment : segments_) {
       const Warming warming{network_, capacity_, tables[segment.table]};
       double done = 0.0;
       while (done < segment.duration) {
@@ -155,7 +171,7 @@ class RepeatedCycle {
         if (!(t.minCoeff() > 0.0 && t.maxCoeff() < 2.0 * kHottest)) return false;
         done = here >= left * (1.0 - 1e-12) ? segment.duration : done + here;
         if (columns < kColumns - 1) h = std::max(h, 2.0 * here);
-        visit(segment.table, start + done, t, [&] { return warming.greatest_within(before, state, here); });
+        visit(segment.table, start + done, state, [&](auto use) { use(warming, before, here); });
       }
       start += segment.duration;
     }
@@ -167,7 +183,7 @@ class RepeatedCycle {
   std::optional<OfParts> periodic(const std::vector<LossTable>& tables, OfParts t, Factors& factors) const {
     const auto after = [&](const OfParts& from) -> std::optional<OfParts> {
       State x = starting_at(from);
-      if (!run(tables, x, [](std::size_t, double, const OfParts&, const auto&) {})) return std::nullopt;
+      if (!run(tables, x, [](std::size_t, double, const State&, const auto&) {})) return std::nullopt;
       return x.head<3>();
     };
     double before = std::numeric_limits<double>::infinity();
@@ -197,7 +213,7 @@ class RepeatedCycle {
  private:
   const ThermalNetwork& network_;
   const OfParts& capacity_;
-  std::vector<Segment> segments_;
+  std::span<const DutySegment> segments_;
   double period_ = 0.0;
 };
 
@@ -205,18 +221,21 @@ class RepeatedCycle {
 struct DutyCase : LossShare {
   /// Losses with equal shares, if the load case's shares depend on the temperatures.
   std::unique_ptr<CaseLosses> equal;
+
+  LossTable::Effort equal_effort = kTable, effort = kSolvedTable;
 };
 
 struct Duty {
-  std::vector<DutyCase> cases;    ///< Load cases without repetition.
-  std::vector<Segment> segments;  ///< Table 0 is that of rests, 1 that of the first load case.
+  std::vector<DutyCase> cases;  ///< Load cases without repetition.
+  /// Segments of the cycle, or of all cycles of a mission. Table 0 is that of rests, 1 that of the first load case.
+  std::vector<DutySegment> segments;
+  /// Start of a mission.
+  std::optional<OfParts> start;
 };
 
 Duty duty_of(const Conditions& c, const Contacts& contacts) {
   Duty duty;
-  double period = 0.0;
   for (const Heat::DutyStep& step : c.heat->duty) {
-    period += step.time();
     if (!step.load_case) {
       duty.segments.push_back({0, step.time()});
       continue;
@@ -232,7 +251,14 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
     duty.cases[index].share += step.time();
     duty.segments.push_back({index + 1, step.time()});
   }
-  for (DutyCase& known : duty.cases) known.share /= period;
+  for (DutyCase& known : duty.cases) known.share /= c.heat->period();
+  if (!c.heat->cycles) return duty;
+  duty.start = of_parts(c.heat->start_temperature());
+  for (DutyCase& known : duty.cases) known.equal_effort = kMissionTable, known.effort = kSolvedMissionTable;
+  const std::size_t once = duty.segments.size();
+  duty.segments.reserve(once * static_cast<std::size_t>(*c.heat->cycles));
+  for (int cycle = 1; cycle < *c.heat->cycles; ++cycle)
+    std::copy_n(duty.segments.begin(), once, std::back_inserter(duty.segments));
   return duty;
 }
 
@@ -243,9 +269,9 @@ std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& l
         box, [&losses](const OfParts& t) { return losses.at(t); }, by_rollers, good ? effort : kRoughTable,
         std::move(rough));
   };
-  if (!load.equal) return of(*load.losses, false, kTable, {});
-  const std::optional<LossTable> equal = of(*load.equal, false, kTable, {});
-  return of(*load.losses, true, kSolvedTable, equal.value_or(LossTable{}));
+  if (!load.equal) return of(*load.losses, false, load.equal_effort, {});
+  const std::optional<LossTable> equal = of(*load.equal, false, load.equal_effort, {});
+  return of(*load.losses, true, load.effort, equal.value_or(LossTable{}));
 }
 
 /// Range of the temperatures while each load case acts in a cycle from `start`.
@@ -260,18 +286,20 @@ std::vector<TemperatureBox> visited_from(const OfParts& start, const RepeatedCyc
   State state = starting_at(start);
   std::size_t last = 0;
   OfParts before = start;
-  cycle.run(tables, state, [&](std::size_t table, double, const OfParts& t, const auto&) {
+  cycle.run(tables, state, [&](std::size_t table, double, const State& at, const auto&) {
+    const OfParts t = at.head<3>();
     if (table != last) add(table, before);
     add(table, t);
     last = table, before = t;
   });
   std::vector<TemperatureBox> boxes;
-  for (const auto& box : visited) boxes.push_back(box.value_or(TemperatureBox{}));
+  for (const auto& box : visited)
+    boxes.push_back(box.value_or(TemperatureBox{table_coordinates(start), table_coordinates(start)}));
   return boxes;
 }
 
-/// The periodic cycle.
-struct Periodic : DutyLosses {
+/// The periodic cycle, or a mission.
+struct FoundCycle : DutyLosses {
   HeatStatus status = HeatStatus::converged;
   std::string reason = {};
 };
@@ -283,8 +311,8 @@ bool contain(const std::vector<TemperatureBox>& covered, const std::vector<Tempe
 }
 
 /// The cycle with known tables; none if it leaves their range.
-std::optional<Periodic> repeated(const RepeatedCycle& cycle, const DutyLosses& known) {
-  Periodic found{known};
+std::optional<FoundCycle> repeated(const RepeatedCycle& cycle, const DutyLosses& known) {
+  FoundCycle found{known};
   RepeatedCycle::Factors factors;
   const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
   if (!start || !contain(found.covered, visited_from(*start, cycle, found.tables))) return std::nullopt;
@@ -292,26 +320,38 @@ std::optional<Periodic> repeated(const RepeatedCycle& cycle, const DutyLosses& k
   return found;
 }
 
+/// A box without temperatures that are further than `reach` [K] from `start`: constant losses overestimate.
+TemperatureBox within_reach(const TemperatureBox& box, const OfParts& start, double reach) {
+  const OfParts least = table_coordinates(start).array() - reach, greatest = table_coordinates(start).array() + reach;
+  return {box.least.cwiseMax(least).cwiseMin(greatest), box.greatest.cwiseMin(greatest).cwiseMax(least)};
+}
+
 /// Iteration: each round makes tables over the temperatures of the previous one and `margin` [K] around them: rough
-/// ones, and good ones after the range is known.
-Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, double margin) {
+/// ones, and good ones after the range is known. In a mission the range grows from the start.
+FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, double margin) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
-  Periodic found{{std::vector<LossTable>(cases + 1), std::vector<TemperatureBox>(cases), guess}};
+  FoundCycle found{{std::vector<LossTable>(cases + 1), std::vector<TemperatureBox>(cases), guess}};
   for (std::size_t k = 0; k < cases; ++k)
     if (const std::optional<Losses> losses = duty.cases[k].losses->at(guess)) found.tables[k + 1] = LossTable(*losses);
 
   bool good = false;
   RepeatedCycle::Factors factors;
   std::vector<TemperatureBox>& covered = found.covered;
-  for (int round = 0; round < kMostRounds; ++round) {
-    const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
-    if (!start)
-      return ended(found, HeatStatus::no_steady_state,
-                   "the temperatures of the cycle do not become periodic; give the "
-                   "parts more conductance, less load or more rest");
-    found.start = *start;
-    const std::vector<TemperatureBox> visited = visited_from(*start, cycle, found.tables);
+  double reach = kFirstReach;
+  for (int round = 0; round < kMostRounds; ++round, reach *= 2.0) {
+    if (!duty.start) {
+      const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
+      if (!start)
+        return ended(found, HeatStatus::no_steady_state,
+                     "the temperatures of the cycle do not become periodic; give the "
+                     "parts more conductance, less load or more rest");
+      found.start = *start;
+    }
+    std::vector<TemperatureBox> visited = visited_from(found.start, cycle, found.tables);
+    if (duty.start)
+      for (TemperatureBox& box : visited)
+        box = within_reach(box, found.start, std::min(reach, kHottest - found.start.maxCoeff()));
     const auto is_covered = [&](std::size_t k) { return round > 0 && covered[k].contains(visited[k + 1]); };
     const bool inside = round > 0 && contain(covered, visited);
     if (good && inside) return found;
@@ -332,27 +372,6 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
                fmt::format("the range of temperatures of the cycle is not settled after {} rounds", kMostRounds));
 }
 
-/// Temperatures and energies of one period.
-void keep_course(const Periodic& found, const RepeatedCycle& cycle, double ambient, HeatCycle& result) {
-  const auto keep = [&](double time, const OfParts& t) {
-    result.time.push_back(time);
-    const PerPart<double> parts = per_part(t);
-    for (const Part p : kParts) result.temperature[p].push_back(parts[p]);
-  };
-  State state = starting_at(found.start);
-  keep(0.0, found.start);
-  OfParts peak = found.start;
-  cycle.run(found.tables, state, [&](std::size_t, double time, const OfParts& t, const auto& greatest) {
-    peak = peak.cwiseMax(greatest());
-    keep(time, t);
-  });
-  result.peak = per_part(peak);
-  result.mean = per_part((state.segment<3>(3).array() / result.period + ambient).matrix());
-  result.energy_lost = state[6];
-  result.energy_in = state[7];
-  if (state[8] > kNoOutput * state[7]) result.efficiency = state[8] / state[7];
-}
-
 }  // namespace
 
 OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
@@ -366,26 +385,72 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
   return of_parts(capacity);
 }
 
-HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
-                              const DutyLosses* known, DutyLosses* kept) {
+HeatCycle warming(const ThermalNetwork& network, const OfParts& capacity, std::span<const DutySegment> segments,
+                  const std::vector<LossTable>& tables, const OfParts& start, std::optional<double> limit) {
+  const RepeatedCycle cycle(network, capacity, segments);
+  HeatCycle result;
+  result.period = cycle.period();
+  OfParts peak = start;
+  State state = starting_at(start);
+  const auto keep = [&](double time) {
+    result.time.push_back(time);
+    for (const Part p : kParts) result.temperature[p].push_back(state[static_cast<int>(p)]);
+  };
+  keep(0.0);
+  const bool ends = cycle.run(tables, state, [&](std::size_t, double time, const State&, const auto& step) {
+    step([&](const Warming& warming, const State& before, double duration) {
+      const Warming::Peak within = warming.peak_within(before, state, duration);
+      peak = peak.cwiseMax(within.greatest);
+      for (const Part part : kParts) {
+        const int p = static_cast<int>(part);
+        if (limit && !result.time_to_limit[part] && within.greatest[p] >= *limit)
+          result.time_to_limit[part] = time - duration + warming.time_to(*limit, p, before, within.time[p]);
+      }
+    });
+    keep(time);
+  });
+  result.peak = per_part(peak);
+  result.mean = per_part((state.segment<3>(3).array() / result.period + network.ambient).matrix());
+  result.energy_lost = state[6];
+  result.energy_in = state[7];
+  if (state[8] > kNoOutput * state[7]) result.efficiency = state[8] / state[7];
+  result.start = per_part(start), result.end = per_part(state.head<3>());
+  if (ends && peak.maxCoeff() < kHottest) return ended(result, HeatStatus::converged, {});
+  return ended(result, HeatStatus::no_steady_state,
+               fmt::format("the parts pass {} within {:.4g} s; give them more conductance, less load, less speed or "
+                           "less time",
+                           celsius(kHottest), result.time.back()));
+}
+
+HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
+                     const DutyLosses* known, DutyLosses* kept, std::optional<double> temperature_limit) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   const Duty duty = duty_of(c, contacts);
   const RepeatedCycle cycle(network, capacity, duty.segments);
+  const int cycles = c.heat->cycles.value_or(1);
   HeatCycle result;
-  result.period = cycle.period();
+  result.period = cycle.period() / cycles;
+  result.cycles = cycles;
+  if (duty.start) result.start = per_part(*duty.start);
 
-  std::optional<Periodic> again = known ? repeated(cycle, *known) : std::nullopt;
+  std::optional<FoundCycle> again = known && !duty.start ? repeated(cycle, *known) : std::nullopt;
   if (!again) {
-    const std::vector<LossShare> shares(duty.cases.begin(), duty.cases.end());
-    const SteadyHeat steady =
-        find_steady_heat(network, mean_heat(shares, shares, c.friction->is(contact::Lubrication::mixed)));
-    if (!steady.converged()) return ended(result, steady.status, steady.reason);
-    again = find_periodic(cycle, duty, steady.temperature, kept ? kKeptMargin : kMargin);
+    OfParts guess;
+    if (duty.start) {
+      guess = *duty.start;
+    } else {
+      const std::vector<LossShare> shares(duty.cases.begin(), duty.cases.end());
+      const SteadyHeat steady =
+          find_steady_heat(network, mean_heat(shares, shares, c.friction->is(contact::Lubrication::mixed)));
+      if (!steady.converged()) return ended(result, steady.status, steady.reason);
+      guess = steady.temperature;
+    }
+    again = find_cycle(cycle, duty, guess, kept ? kKeptMargin : kMargin);
     if (again->status != HeatStatus::converged) return ended(result, again->status, again->reason);
     if (kept) *kept = *again;
   }
-  const Periodic& found = *again;
+  const FoundCycle& found = *again;
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
     if (found.tables[k + 1].error() > kTellTable)
       warnings.push_back(Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.cases[k].name),
@@ -393,8 +458,11 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std
                                              "cycle: interpolated to {{value}} of their largest",
                                              duty.cases[k].name)}
                              .with(found.tables[k + 1].error(), kTellTable));
-  keep_course(found, cycle, network.ambient, result);
-  return ended(result, HeatStatus::converged, {});
+  result = warming(network, capacity, duty.segments, found.tables, found.start,
+                   duty.start ? temperature_limit : std::nullopt);
+  result.period /= cycles, result.cycles = cycles;
+  if (!duty.start) result.start.reset(), result.end.reset();
+  return result;
 }
 
 }  // namespace prs

@@ -15,8 +15,19 @@ struct DutyLosses {
 /// the masses of `measures`, the screw's over the length of the nut.
 OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
 
-/// The state that repeats itself from cycle to cycle of the duty in `c.heat`: slip follows the
-/// temperatures at once, these follow
+/// A part of a duty: the index of its table of losses, and its duration [s].
+struct DutySegment {
+  std::size_t table = 0;
+  double duration = 0.0;
+};
+
+/// Temperatures and energies from `start` through the segments, as `duty_cycle` integrates them, with the times at
+/// which parts first reach `limit` [K]; to the moment at which one passes `kHottest`.
+HeatCycle warming(const ThermalNetwork& network, const OfParts& capacity, std::span<const DutySegment> segments,
+                  const std::vector<LossTable>& tables, const OfParts& start, std::optional<double> limit = {});
+
+/// The state that repeats itself from cycle to cycle of the duty in `c.heat`, or with `heat.cycles` the mission of so
+/// many from `heat.start`: slip follows the temperatures at once, these follow
 ///
 ///     C dT/dt = Q_k(T) - K (T - T_ambient 1)
 ///
@@ -28,7 +39,8 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
 /// The peak is that within steps too. `warnings` reports losses that are too rough for tables.
 /// `known` of a case with other conductances, capacities or times serves where its tables hold for
 /// the whole cycle, else `found` are new ones, over a wider range than this cycle needs.
-HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
-                              const DutyLosses* known = nullptr, DutyLosses* found = nullptr);
+HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
+                     const DutyLosses* known = nullptr, DutyLosses* found = nullptr,
+                     std::optional<double> temperature_limit = {});
 
 }  // namespace prs

@@ -115,6 +115,7 @@ std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at
   table.error_ = 0.0;
   for (const Node& node : layer) table.error_ = std::max(table.error_, node.panel.error);
   table.layers_.push_back(std::move(layer));
+  table.box_ = box;
   return table;
 }
 
@@ -170,7 +171,7 @@ std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const 
     const std::optional<Flows> left = left_at(unit);
     if (!left) return std::nullopt;
     Value fitted;
-    panel.add(middle + half.cwiseProduct(unit), false, fitted);
+    panel.add(middle + half.cwiseProduct(unit), {}, fitted);
     const Flows off = *left - fitted.value;
     if (largest > 0.0) panel.error = std::max(panel.error, off.lpNorm<Eigen::Infinity>() / largest);
   }
@@ -222,7 +223,8 @@ OfParts LossTable::Panel::unit(const OfParts& c) const {
   return x;
 }
 
-void LossTable::Panel::add(const OfParts& c, bool with_slopes, Value& sum) const {
+void LossTable::Panel::add(const OfParts& c, const std::array<bool, 3>& with_slopes, Value& sum) const {
+  const bool any = with_slopes[0] || with_slopes[1] || with_slopes[2];
   const OfParts x = unit(c);
   std::array<Basis, 3> b, s;
   for (std::size_t d = 0; d < 3; ++d) chebyshev(x[static_cast<int>(d)], points[d], b[d], s[d]);
@@ -234,18 +236,18 @@ void LossTable::Panel::add(const OfParts& c, bool with_slopes, Value& sum) const
       for (std::size_t r = 0; r < static_cast<std::size_t>(points[2]); ++r) {
         const Flows& f = coefficients[at++];
         along += b[2][r] * f;
-        if (with_slopes) slope_along += s[2][r] * f;
+        if (any) slope_along += s[2][r] * f;
       }
       sum.value += b[0][p] * b[1][q] * along;
-      if (!with_slopes) continue;
+      if (!any) continue;
       slope.col(0) += s[0][p] * b[1][q] * along;
       slope.col(1) += b[0][p] * s[1][q] * along;
       slope.col(2) += b[0][p] * b[1][q] * slope_along;
     }
-  if (!with_slopes) return;
   const OfParts half = 0.5 * (box.greatest - box.least);
   for (int d = 0; d < 3; ++d)
-    if (half[d] > 0.0) sum.by_temperature += slope.col(d) / half[d] * coordinates_by_parts().row(d);
+    if (with_slopes[static_cast<std::size_t>(d)] && half[d] > 0.0)
+      sum.by_temperature += slope.col(d) / half[d] * coordinates_by_parts().row(d);
 }
 
 const LossTable::Panel& LossTable::panel_at(const Layer& layer, const OfParts& c) {
@@ -255,9 +257,12 @@ const LossTable::Panel& LossTable::panel_at(const Layer& layer, const OfParts& c
 }
 
 LossTable::Value LossTable::at(const OfParts& t, bool with_slopes) const {
-  const OfParts c = table_coordinates(t);
+  const OfParts there = table_coordinates(t);
+  const OfParts c = box_ ? OfParts(there.cwiseMax(box_->least).cwiseMin(box_->greatest)) : there;
+  std::array<bool, 3> slopes{};
+  for (int d = 0; d < 3; ++d) slopes[static_cast<std::size_t>(d)] = with_slopes && c[d] == there[d];
   Value sum;
-  for (const Layer& layer : layers_) panel_at(layer, c).add(c, with_slopes, sum);
+  for (const Layer& layer : layers_) panel_at(layer, c).add(c, slopes, sum);
   return sum;
 }
 

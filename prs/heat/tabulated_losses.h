@@ -63,7 +63,8 @@ class LossTable {
     double error = 0.0;
 
     OfParts unit(const OfParts& coordinates) const;
-    void add(const OfParts& coordinates, bool with_slopes, Value& sum) const;
+    /// Adds values and, along these coordinates, slopes.
+    void add(const OfParts& coordinates, const std::array<bool, 3>& with_slopes, Value& sum) const;
     void transform(const std::vector<Flows>& values, double largest);
     /// The coordinate to halve along; none where the panel is good or too narrow.
     std::optional<int> worst(double accuracy) const;
@@ -81,7 +82,8 @@ class LossTable {
                            int& evaluations) const;
   static const Panel& panel_at(const Layer& layer, const OfParts& coordinates);
 
-  std::vector<Layer> layers_;  ///< Layers, whose values add up.
+  std::vector<Layer> layers_;          ///< Layers, whose values add up.
+  std::optional<TemperatureBox> box_;  ///< Box, beyond whose borders losses are those at the border.
   double error_ = 0.0;
 };
 

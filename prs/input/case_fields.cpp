@@ -822,6 +822,19 @@ void fields(const Fields& io, MeasureOptions::System& s) {
   io("housing", s.housing, stiffness, "Of what holds the nut");
 }
 
+void fields(const Fields& io, Bearings& b) {
+  io("fixed", b.fixed, Block{}, required, "That holds the part that turns along its axis; ball bearings");
+}
+
+void fields(const Fields& io, Bearings::Fixed& b) {
+  io("dynamic_capacity", b.dynamic_capacity, Quantity{unit::force, positive, "50 kN"}, "Axial, of a catalogue");
+  io("static_capacity", b.static_capacity, Quantity{unit::force, positive, "90 kN"}, "Axial, of a catalogue");
+  io("preload", b.preload, Quantity{unit::force, not_negative, "5 kN"}, "Of the bearings against each other");
+  io("stiffness", b.stiffness, Quantity{unit::stiffness, positive, "800 N/um"},
+     "Axial, in place of `measures.system.support_bearing`");
+  io("exponent", b.exponent, Number{{.least = 1.0, .greatest = 5.0}, "3"}, "Of the load in its life");
+}
+
 void fields(const Fields& io, MeasureOptions& m) {
   io("loaded_width", m.loaded_width, Quantity{unit::length, positive},
      "Of thread that one contact loads, for the compliance and the strength of its tooth");
@@ -962,11 +975,41 @@ void fields(const Fields& io, Heat::Capacity& c) {
   io("nut", c.nut, capacity, required, "Of the nut");
 }
 
+/// One temperature, or one each of screw, rollers and nut.
+struct OneOrEachPart {};
+
+Value value_of(PerPart<double>& parts, const OneOrEachPart&) {
+  const Quantity temperature{unit::temperature, positive, "20 degC"};
+  return {OneOr{.form = OneOr::Form::parts,
+                .one = [&parts, temperature] { return value_of(parts.screw, temperature); },
+                .several =
+                    [&parts, temperature] {
+                      return Value{map_of([&parts, temperature](const Fields& io) {
+                        io("screw", parts.screw, temperature, required, "Of the screw");
+                        io("rollers", parts.roller, temperature, required, "Of all rollers");
+                        io("nut", parts.nut, temperature, required, "Of the nut");
+                      })};
+                    },
+                .others = ", or one each for {screw, rollers, nut}",
+                .spread = [&parts] { parts.roller = parts.nut = parts.screw; },
+                .are_several = parts.screw != parts.roller || parts.roller != parts.nut}};
+}
+
+void mission_fields(const Fields& io, std::optional<int>& cycles, std::optional<PerPart<double>>& start,
+                    bool has_duty) {
+  io("cycles", cycles, Whole{1, 100'000}, optional_only_if(has_duty, "with `duty`"),
+     "Number of cycles of a mission, over which temperatures run from `start`; without it the state that repeats "
+     "itself");
+  io("start", start, OneOrEachPart{}, optional_only_if(cycles.has_value(), "with `cycles`"),
+     "Temperatures at the start of the mission; `ambient` by default");
+}
+
 void fields(const Fields& io, Heat& h) {
   io("ambient", h.ambient, Quantity{unit::temperature, positive}, required, "Temperature of the surroundings");
   io("conductance", h.conductance, Block{}, required, "Heat flow over the difference of temperature");
   io("losses", h.losses, Choice{}, "Temperatures at which losses and loads are taken");
   io("duty", h.duty, List{Block{}, 1}, "Load cases and rests one after the other, again and again");
+  mission_fields(io, h.cycles, h.start, !h.duty.empty());
   io("capacity", h.capacity, Block{}, "Heat capacities of the parts, for `duty`");
   io("specific_heat", h.specific_heat, Quantity{unit::specific_heat, positive},
      optional_only_if(!h.capacity, "in place of `capacity`"),
@@ -1604,6 +1647,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("preload", c.preload, Block{}, "How the play is taken out, and the curve through zero, for `prs preload`");
   io("life", c.life, Block{}, "Load history or spectrum for `prs life`");
   io("measures", c.measures, Block{}, "Further inputs of the design measures");
+  io("bearings", c.bearings, Block{}, "At the ends of the shaft, for their life and the stiffness of the axis");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
   io("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}},
      "Rms roughness Rq of the flanks, for the film ratio");

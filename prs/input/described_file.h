@@ -29,6 +29,7 @@ void fields(const Fields& io, Lubricant& lubricant);
 void fields(const Fields& io, Carrier& carrier);
 void fields(const Fields& io, Heat& heat);
 void fields(const Fields& io, Life& life);
+void fields(const Fields& io, Bearings& bearings);
 void fields(const Fields& io, Operation& operation);
 void fields(const Fields& io, MeasureOptions& measures);
 void fields(const Fields& io, Limits& limits);
@@ -36,5 +37,7 @@ void fields(const Fields& io, DriveMotor& motor);
 void fields(const Fields& io, MotorDuty& duty);
 void fields(const Fields& io, PrsLinkage& linkage);
 void fields(const Fields& io, Preload& preload);
+/// Keys of a mission in `heat`.
+void mission_fields(const Fields& io, std::optional<int>& cycles, std::optional<PerPart<double>>& start, bool has_duty);
 
 }  // namespace prs::input

@@ -531,7 +531,9 @@ const Node* find(const Node& map, std::string_view key) {
   return nullptr;
 }
 
-bool is_per_part(const Node& node) { return find(node, "screw") || find(node, "roller") || find(node, "nut"); }
+bool is_per_part(const Node& node) {
+  return find(node, "screw") || find(node, "roller") || find(node, "rollers") || find(node, "nut");
+}
 
 ScalarType scalar_type(const Node& scalar) {
   if (scalar.quoted) return ScalarType::text;

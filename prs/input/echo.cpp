@@ -578,6 +578,7 @@ constexpr UsualValue kUsual[] = {
     {"materials.conductivity", "0.1 W/(m K)", "430 W/(m K)", "bearing steel has 45 W/(m K)"},
     {"materials.specific_heat", "100 J/(kg K)", "3000 J/(kg K)", "steel has 460 J/(kg K)"},
     {"heat.ambient", "200 K", "570 K", "-50 degC to 200 degC"},
+    {"heat.start", "200 K", "570 K", "-50 degC to 200 degC"},
     // A nut of a few mm in still air to one cooled by oil.
     {"heat.conductance.screw_ambient", "", "1000 W/K", "some W/K through bearings and housing"},
     {"heat.conductance.nut_ambient", "", "1000 W/K", "some W/K through seat and housing"},
@@ -588,6 +589,7 @@ constexpr UsualValue kUsual[] = {
     {"measures.yield_strength", "100 MPa", "4 GPa", "steel has 300 MPa to 2 GPa"},
     {"measures.system.shaft.length", "5 mm", "20 m", "ten to a hundred screw diameters"},
     {"measures.system.support_bearing", "1 N/um", "100 kN/um", "bearings have 100 N/um to 3 kN/um"},
+    {"bearings.fixed.stiffness", "1 N/um", "100 kN/um", "bearings have 100 N/um to 3 kN/um"},
     {"measures.system.housing", "1 N/um", "1000 kN/um", "housings have 10 N/um to 10 kN/um"},
     {"measures.shaft.length", "5 mm", "20 m", "ten to a hundred screw diameters"},
 };

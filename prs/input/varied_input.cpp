@@ -206,7 +206,8 @@ class SlotFinder {
       case Form::signal:
         return find(value.are_several ? several : one);
       case Form::parts:
-        return key == "screw" || key == "roller" || key == "nut" ? find(several) : find_all(several);
+        return key == "screw" || key == "roller" || key == "rollers" || key == "nut" ? find(several)
+                                                                                     : find_all(several);
       case Form::ends:
         if (key == "near" || key == "far" || value.are_several) return find(several);
         return path_.ends() ? find(one) : find_all(several);

@@ -83,6 +83,24 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
   r.revolution_rate = r.duration && *r.duration > 0.0 ? std::optional(r.revolutions / *r.duration) : r.moving_rate;
 }
 
+/// The bearing under the loads of a pass; ways without force, which `life.travel` contains, count too.
+BearingLife bearing_life(const Bearings::Fixed& bearing, const LifeResult& r) {
+  BearingLife found;
+  double damage = 0.0;
+  const auto add = [&](double force, double revolutions) {
+    found.revolutions += revolutions;
+    damage += std::pow(preloaded_bearing_load(force, bearing.preload), bearing.exponent) * revolutions;
+  };
+  for (const LoadStep& step : r.steps) add(std::abs(step.axial_force), step.revolutions);
+  if (r.life.travel) add(0.0, std::max(0.0, *r.life.travel / std::abs(r.contacts.mechanism.lead) - r.revolutions));
+  found.equivalent_load = std::pow(damage / found.revolutions, 1.0 / bearing.exponent);
+  if (bearing.dynamic_capacity)
+    found.life = 1e6 * std::pow(*bearing.dynamic_capacity / found.equivalent_load, bearing.exponent);
+  if (bearing.static_capacity && r.largest_force > 0.0)
+    found.static_safety = *bearing.static_capacity / r.largest_force;
+  return found;
+}
+
 /// sum (load)^3 n of each contact, from equilibria alone: an interpolated cube is a sum over nodes, so that the weights
 /// of all loads are first collected there.
 class CubicSums {
@@ -686,6 +704,18 @@ std::optional<double> LifeResult::static_safety() const {
   return flank ? flank->static_safety() : std::nullopt;
 }
 
+std::optional<double> LifeResult::bearing_life() const {
+  if (!bearing || !bearing->life) return std::nullopt;
+  return *bearing->life * revolutions / bearing->revolutions;
+}
+
+std::optional<double> LifeResult::life_with_bearings() const {
+  const std::optional<double> own = bearing_life();
+  if (!own) return std::nullopt;
+  const double lives[] = {screw_life(), *own};
+  return combined_life(lives);
+}
+
 std::optional<StaticLimit> LifeResult::static_safety_limit() const {
   const FlankLife* flank = statically_weakest();
   return flank ? std::optional(flank->static_rating->limit) : std::nullopt;
@@ -719,6 +749,7 @@ LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<Lo
 
   find_capacity(p, r);
   find_spectrum(c, r);
+  if (c.bearings) r.bearing = bearing_life(c.bearings->fixed, r);
   if (r.history) {
     LoadCycles cycles;
     cycles.cycles = rainflow(r.history->force, r.life.history->hysteresis);

@@ -86,6 +86,14 @@ struct ModifiedLife {
   double factor = 0.0;           ///< a_ISO
 };
 
+/// Axial bearing of the turning part under the loads of the spectrum, rests and ways without force included. SI units.
+struct BearingLife {
+  double revolutions = 0.0;      ///< Revolutions of one pass.
+  double equivalent_load = 0.0;  ///< Mean of the loads with preload, over the revolutions [N].
+  std::optional<double> life;    ///< L10 in its own revolutions; none without dynamic capacity.
+  std::optional<double> static_safety;
+};
+
 /// All results of `analyze_life`. SI units; lives in revolutions.
 struct LifeResult {
   Life life;
@@ -125,12 +133,19 @@ struct LifeResult {
   std::optional<double> equal_shares_static_capacity, equal_shares_flank_edge_load;
   std::optional<LoadCycles> cycles;
 
+  std::optional<BearingLife> bearing;    ///< Present if the case states its bearing.
   std::optional<ModifiedLife> modified;  ///< Life with film and contamination, if `life.contamination` is stated.
 
   std::optional<std::string> failure;  ///< Reason why there are no lives: a load did not converge.
   std::vector<Warning> warnings;
 
   bool converged() const { return !failure; }
+  /// Life of the screw: that of a stated capacity, which has uneven sharing in it, else with solved thread loads.
+  double screw_life() const { return lemor ? system_life : catalogue_life; }
+  /// Life of the bearing in revolutions of the screw under load, as all others.
+  std::optional<double> bearing_life() const;
+  /// Life of screw and bearing together.
+  std::optional<double> life_with_bearings() const;
   /// Rated life over L10: a1 times the modification factor.
   double rated_over_l10() const { return reliability_factor * life.modification_factor; }
   /// Static safety of the weaker sense of the load: the smaller ratio of rating to largest force.

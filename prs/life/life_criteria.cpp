@@ -12,28 +12,33 @@ namespace {
 
 std::string_view loads_of(const LifeResult& r) { return r.history ? "life.history" : "life.spectrum"; }
 
-FoundCriterion rated_life(const LifeResult& r, const JudgedCase& of) {
-  FoundCriterion found("life");
+/// A life in hours, or in kilometres if the limit is; `rated` times as long as the L10.
+FoundCriterion life_criterion(CriterionKey key, const LifeResult& r, const JudgedCase& of, double revolutions,
+                              double rated, const std::string& note) {
+  FoundCriterion found(key);
   const auto& limit = of.limits.life;
-  // A maker's capacity comes from real screws: uneven sharing is in it.
-  const LifeInUse in = in_use(r, r.lemor ? r.system_life : r.catalogue_life);
+  const LifeInUse in = in_use(r, revolutions);
+  if (limit ? limit->travel.has_value() : !r.revolution_rate) found.unit = "km";
+  if (!r.converged())
+    found.why = "the life did not converge";
+  else if (limit ? limit->travel.has_value() : !in.hours.has_value())
+    found.take(rated * in.travel * "km"_per_si, loads_of(r), note);
+  else if (in.hours)
+    found.take(rated * *in.hours, loads_of(r), r.duration ? note : note + "; hours of motion");
+  else
+    found.why = "hours need `operation.speed`";
+  if (found.value && !std::isfinite(*found.value)) found.value.reset(), found.why = "no load";
+  return found;
+}
+
+FoundCriterion rated_life(const LifeResult& r, const JudgedCase& of) {
   const std::string note = fmt::format(
       "{:g} % reach it; {}{}", r.life.reliability * "%"_per_si,
       !r.lemor                                  ? "stated C_a already includes uneven sharing"
       : r.life.share == LoadCase::Share::solved ? "real thread loads, " + words_of_text(name(r.loads))
                                                 : "equal thread loads",
       r.modified ? fmt::format("; {:.3g} times as long with film and dirt by ISO 281", r.modified->factor) : "");
-  if (limit ? limit->travel.has_value() : !r.revolution_rate) found.unit = "km";
-  if (!r.converged())
-    found.why = "the life did not converge";
-  else if (limit ? limit->travel.has_value() : !in.hours.has_value())
-    found.take(in.rated * in.travel * "km"_per_si, loads_of(r), note);
-  else if (in.hours)
-    found.take(in.rated * *in.hours, loads_of(r), r.duration ? note : note + "; hours of motion");
-  else
-    found.why = "hours need `operation.speed`";
-  if (found.value && !std::isfinite(*found.value)) found.value.reset(), found.why = "no load";
-  return found;
+  return life_criterion("life", r, of, r.screw_life(), r.rated_over_l10(), note);
 }
 
 /// The static safety by the contact pressure beside that by a stated capacity.
@@ -79,6 +84,15 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
   std::vector<FoundCriterion> all{
       rated_life(r, of), safety, edge, pressure, stroke, speed, compression, convergence(r.converged() ? "" : "life")};
   if (temperature.value) all.push_back(temperature);
+  if (!r.bearing) return all;
+  if (const auto life = r.bearing_life())
+    all.push_back(
+        life_criterion("bearing_life", r, of, *life, r.reliability_factor,
+                       fmt::format("{:g} % reach it; equivalent load {:.4g} kN", r.life.reliability * "%"_per_si,
+                                   r.bearing->equivalent_load * "kN"_per_si)));
+  FoundCriterion bearing("bearing_static_safety");
+  bearing.take(r.bearing->static_safety, where, "C_0 over the largest force");
+  if (bearing.value) all.push_back(bearing);
   return all;
 }
 

@@ -29,6 +29,18 @@ struct Modified {
   const LifeResult* life = nullptr;
 };
 
+struct LifeWithBearings {
+  const LifeResult* life = nullptr;
+};
+
+struct BearingLives {
+  const LifeResult* life = nullptr;
+};
+
+struct FixedBearing {
+  const LifeResult* life = nullptr;
+};
+
 struct Capacity {
   const LifeResult* life = nullptr;
 };
@@ -48,6 +60,9 @@ Record<DirectionLife> record_of(Type<DirectionLife>);
 Record<WeakestLife> record_of(Type<WeakestLife>);
 Record<LifeAtRest> record_of(Type<LifeAtRest>);
 Record<Modified> record_of(Type<Modified>);
+Record<LifeWithBearings> record_of(Type<LifeWithBearings>);
+Record<BearingLives> record_of(Type<BearingLives>);
+Record<FixedBearing> record_of(Type<FixedBearing>);
 Record<Capacity> record_of(Type<Capacity>);
 Record<Loads> record_of(Type<Loads>);
 Record<Cycles> record_of(Type<Cycles>);
@@ -239,6 +254,41 @@ constexpr Quantity<Capacity> kCapacity[] = {
 };
 
 template <auto get>
+constexpr auto of_bearing = of<[](auto& b) { return std::invoke(get, *b.life->bearing); }>;
+
+constexpr std::string_view kBearing = "ISO 281; preload by the rule of makers";
+constexpr Quantity<FixedBearing> kFixedBearing[] = {
+    {"equivalent_load_N", of_bearing<&BearingLife::equivalent_load>,
+     "of the loads with preload over all revolutions, ways without force included", kBearing},
+    {"l10_revolutions", of_bearing<&BearingLife::life>, "of the part that turns in it, all of them; that 90 % reach",
+     kBearing, "life L10 of the bearing"},
+    {"l10_hours", of<[](auto& b) {
+       const auto life = b.life->bearing_life();
+       return life ? in_use(*b.life, *life).hours : std::nullopt;
+     }>,
+     "as those of the screw", kBearing, "life L10 of the bearing in hours"},
+    {"static_safety", of_bearing<&BearingLife::static_safety>, "static capacity over the largest force", "ISO 76",
+     "static safety of the bearing"},
+};
+
+constexpr Quantity<BearingLives> kBearings[] = {
+    {"fixed", of<[](auto& b) { return FixedBearing{b.life}; }>, "that holds the part that turns along its axis"},
+};
+
+template <auto get>
+constexpr auto other_life =
+    of<[](auto& o) { return std::invoke(get, in_use(*o.life, *o.life->life_with_bearings())); }>;
+
+constexpr Quantity<LifeWithBearings> kWithBearings[] = {
+    {"l10_revolutions", other_life<&LifeInUse::revolutions>, "of screw and bearings together, e = 10/9", source::kLife,
+     "life L10 with bearings"},
+    {"l10_hours", other_life<&LifeInUse::hours>, "as those of the screw", source::kLife,
+     "life L10 with bearings in hours"},
+    {"l10_travel_km", other_life<&LifeInUse::travel>, "as that of the screw", source::kLife,
+     "life L10 with bearings in travel"},
+};
+
+template <auto get>
 constexpr auto where_revolutions_are_known =
     of<[](auto& l) { return std::invoke(get, *l.life); }, [](const Loads& l) { return l.life->revolutions_known; }>;
 
@@ -315,6 +365,11 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"equal_shares", life_at<&LifeResult::equal_shares_life>, "of the mechanism, equal thread loads", "",
      "life with equal thread loads"},
     {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "", "life by the catalogue's formula"},
+    {"bearings", of<[](auto& r) { return r.bearing ? std::optional(BearingLives{&r}) : std::nullopt; }>,
+     "at the ends of the shaft; with bearings"},
+    {"system_with_bearings",
+     of<[](auto& r) { return r.bearing_life() ? std::optional(LifeWithBearings{&r}) : std::nullopt; }, converged>,
+     "of screw, by the catalogue where its capacity is stated, and bearings"},
     {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions", "ISO 76",
      "static safety under the loads of the life"},
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>, "pressure | given", "",
@@ -354,6 +409,9 @@ PRS_RECORD(DirectionLife, "DirectionLife", "Lives under the loads of one directi
 PRS_RECORD(WeakestLife, "WeakestThread", "The thread that fails first, of those that turn under load.", kWeakestLife);
 PRS_RECORD(Modified, "ModifiedLife", "What film and dirt do to the life, by ISO 281.", kModified);
 PRS_RECORD(LifeAtRest, "LifeAtRest", "Lives on the loads of a screw at rest.", kLifeAtRest);
+PRS_RECORD(LifeWithBearings, "LifeWithBearings", "Life of screw and bearings.", kWithBearings);
+PRS_RECORD(BearingLives, "BearingLives", "Bearings at the ends of the shaft.", kBearings);
+PRS_RECORD(FixedBearing, "FixedBearing", "The bearing that holds the part that turns.", kFixedBearing);
 PRS_RECORD(Capacity, "Capacity", "What the mechanism can carry.", kCapacity);
 PRS_RECORD(Loads, "LifeLoads", "The history or the spectrum.", kLoads);
 PRS_RECORD(Cycles, "Cycles", "Load cycles of a history: rainflow, ASTM E1049-85.", kCycles);

@@ -132,6 +132,13 @@ double mean_load(std::span<const LoadStep> steps) {
   return revolutions > 0.0 ? std::pow(damage / revolutions, 1.0 / kLifeExponent) : 0.0;
 }
 
+double preloaded_bearing_load(double load, double preload) {
+  constexpr double kReleased = 2.83;  // External load over the preload that it takes off.
+  if (load > kReleased * preload) return load;
+  const double ratio = 1.0 + (preload > 0.0 ? load / (kReleased * preload) : 0.0);
+  return preload * ratio * std::sqrt(ratio);
+}
+
 double combined_life(std::span<const double> lives) {
   const double shortest = lives.empty() ? kInfinity : *std::min_element(lives.begin(), lives.end());
   if (!std::isfinite(shortest)) return kInfinity;

@@ -143,6 +143,11 @@ double modification_factor(double viscosity_ratio, double contamination, double 
 /// (8.28) weights by strokes; revolutions are strokes over the lead. 0 without revolutions.
 double mean_load(std::span<const LoadStep> steps);
 
+/// Axial load of a rigidly preloaded bearing of balls under an external load F [N], by the rule of makers,
+///
+///     F_res = F_V (1 + F/(2.83 F_V))^1.5   while F <= 2.83 F_V, the load that takes the preload F_V off; else F
+double preloaded_bearing_load(double load, double preload);
+
 /// Life at which 90 % survive of a system that fails with its first part, from the lives of its parts at the same
 /// reliability (product law of Weibull): L = (sum L_i^-e)^(-1/e), e = 10/9. Infinite if no part is loaded.
 double combined_life(std::span<const double> lives);

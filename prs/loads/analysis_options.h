@@ -11,6 +11,7 @@ struct AnalysisOptions {
   Solver solver = Solver::sparse;
   /// Solver of full mechanisms, for a thread that analyses many; null: a new one for each analysis.
   FullSolver* full = nullptr;
+  std::optional<double> temperature_limit = {};  ///< Limit whose reaching by the parts of a mission is timed [K].
 };
 
 /// Options for one of many designs.

@@ -329,6 +329,12 @@ constexpr Quantity<PartNumbers> kPartNumbers[] = {
     {"nut", of<&PartNumbers::nut>, "of the nut"},
 };
 
+constexpr Quantity<PartTimes> kPartTimes[] = {
+    {"screw", of<&PartTimes::screw>, "of the screw"},
+    {"rollers", of<&PartTimes::rollers>, "of all rollers"},
+    {"nut", of<&PartTimes::nut>, "of the nut"},
+};
+
 constexpr Quantity<PartSeries> kPartSeries[] = {
     {"screw", of<&PartSeries::screw>, "of the screw"},
     {"rollers", of<&PartSeries::rollers>, "of all rollers"},
@@ -366,18 +372,35 @@ constexpr Quantity<HeatResult> kHeat[] = {
 template <auto get>
 constexpr auto periodic = of<get, &HeatCycle::converged>;
 
+bool has_course(const HeatCycle& r) { return r.converged() && !r.time.empty(); }
+
 constexpr Quantity<HeatCycle> kHeatCycle[] = {
     {"converged", of<&HeatCycle::converged>, "whether there is a state that repeats itself"},
     {"status", of<&HeatCycle::status>, "converged | no_steady_state | iteration_limit"},
     {"reason", of<[](const HeatCycle& r) { return reason_of(r.reason); }>, "where not converged"},
     {"period_s", of<&HeatCycle::period>, "of the duty"},
-    {"time_s", periodic<&HeatCycle::time>, "from the start of the cycle to its end"},
-    {"temperature_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.temperature); }>,
+    {"cycles", of<[](const HeatCycle& r) { return r.is_mission() ? std::optional(r.cycles) : std::nullopt; }>,
+     "of the mission; with heat.cycles"},
+    {"time_s", of<&HeatCycle::time, has_course>, "from the start of the cycle, or of the mission, to its end"},
+    {"temperature_degC", of<[](const HeatCycle& r) { return celsius_of(r.temperature); }, has_course>,
      "of each part at these times"},
+    {"start_degC",
+     periodic<[](const HeatCycle& r) { return r.start ? std::optional(celsius_of(*r.start)) : std::nullopt; }>,
+     "of each part at the start of the mission; with heat.cycles"},
+    {"end_degC", periodic<[](const HeatCycle& r) { return r.end ? std::optional(celsius_of(*r.end)) : std::nullopt; }>,
+     "of each part at its end"},
+    {"time_to_limit_s", of<[](const HeatCycle& r) -> std::optional<PartTimes> {
+       const auto& t = r.time_to_limit;
+       if (!t.screw && !t.roller && !t.nut) return std::nullopt;
+       return PartTimes{t.screw, t.roller, t.nut};
+     }>,
+     "until parts first reach limits.temperature in the mission"},
     {"peak_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.peak); }>, "largest of each part"},
-    {"mean_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.mean); }>, "of each part over the cycle"},
-    {"energy_in_J", periodic<&HeatCycle::energy_in>, "that shaft and load bring in while they drive, per cycle"},
-    {"energy_lost_J", periodic<&HeatCycle::energy_lost>, "to friction, per cycle"},
+    {"mean_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.mean); }>,
+     "of each part over the cycle or the mission"},
+    {"energy_in_J", periodic<&HeatCycle::energy_in>,
+     "that shaft and load bring in while they drive, per cycle or mission"},
+    {"energy_lost_J", periodic<&HeatCycle::energy_lost>, "to friction, per cycle or mission"},
     {"efficiency", periodic<&HeatCycle::efficiency>, "energy out over energy in"},
 };
 
@@ -401,7 +424,9 @@ PRS_RECORD(HeatResult, "Heat",
            "Steady temperatures: what friction puts into the parts flows off through the "
            "conductances.",
            kHeat);
-PRS_RECORD(HeatCycle, "HeatCycle", "The state of a duty that repeats itself from cycle to cycle.", kHeatCycle);
+PRS_RECORD(HeatCycle, "HeatCycle", "The state of a duty that repeats itself from cycle to cycle, or a mission.",
+           kHeatCycle);
+PRS_RECORD(PartTimes, "PartTimes", "A time of each part to which something happens.", kPartTimes);
 
 namespace {
 

@@ -56,6 +56,10 @@ std::string_view known_bias(const ModelOptions& model);
 struct PartNumbers {
   double screw = 0.0, rollers = 0.0, nut = 0.0;
 };
+/// Times of each part; absent if nothing happens to it.
+struct PartTimes {
+  std::optional<double> screw, rollers, nut;
+};
 /// Numbers of each part over time.
 struct PartSeries {
   std::vector<double> screw, rollers, nut;
@@ -72,6 +76,7 @@ PartSeries celsius_of(const PerPart<std::vector<double>>& kelvin);
 InterfaceNumbers celsius_of(const PerInterface<double>& kelvin);
 
 Record<PartNumbers> record_of(Type<PartNumbers>);
+Record<PartTimes> record_of(Type<PartTimes>);
 Record<PartSeries> record_of(Type<PartSeries>);
 Record<InterfaceNumbers> record_of(Type<InterfaceNumbers>);
 Record<HeatResult> record_of(Type<HeatResult>);

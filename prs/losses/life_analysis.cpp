@@ -55,15 +55,14 @@ std::string weakest_thread(const WeakestThread& w) {
 std::string lives(const LifeResult& r, bool all) {
   const bool solved = r.life.share == LoadCase::Share::solved;
   const bool given = !r.lemor;
-  const double headline = given ? r.catalogue_life : r.system_life;
   const bool by_the_clock = r.duration.has_value();
   std::vector<std::string> heads{"million rev.", by_the_clock ? "hours" : "h of motion", with_table_unit("km")};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
   std::string text = kLifeRows("  Life L10, thread loads " + words_of_text(name(r.loads)), heads);
   const std::string_view system = solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
-  text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), headline);
+  text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), r.screw_life());
   if (is_rated(r))
-    text += life_row(r, fmt::format("  rated, {} reach it", reliability(r)), r.rated_over_l10() * headline);
+    text += life_row(r, fmt::format("  rated, {} reach it", reliability(r)), r.rated_over_l10() * r.screw_life());
   if (given) text += life_row(r, fmt::format("  {}", system), r.system_life);
   for (const Direction d : kDirections)
     if (r.flanks[d]) text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
@@ -71,6 +70,10 @@ std::string lives(const LifeResult& r, bool all) {
   if (all && !given) text += life_row(r, "estimate: (C_a/F_m)^3", r.catalogue_life);
   if (given && solved) text += wrapped(kStatedCapacityNote, "  ", kTableWidth);
   if (r.weakest) text += life_row(r, weakest_thread(*r.weakest), r.weakest->life);
+  if (const auto bearing = r.bearing_life()) {
+    text += life_row(r, "bearing of the shaft", *bearing);
+    text += life_row(r, "screw and bearing together", *r.life_with_bearings());
+  }
   return text;
 }
 
@@ -119,6 +122,11 @@ std::string capacities(const LifeResult& r, bool all) {
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
     text += life_line("force at which edge loading begins", by_direction(r, &FlankLife::flank_edge_load));
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
+  }
+  if (r.bearing) {
+    text += life_line("equivalent load of the bearing", kilonewtons(r.bearing->equivalent_load));
+    if (r.bearing->static_safety)
+      text += life_line("  its static safety", fmt::format("{:.2f}", *r.bearing->static_safety));
   }
   text += life_line("static safety", r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
                                                                      describe(*r.static_safety_limit()))
@@ -424,6 +432,11 @@ PageSection life_section(const LifeResult& r) {
                    .folded = {"thread_lives"}};
   if (stated) page.in_document.push_back({"life.catalogue", lives});
   page.in_document.push_back({"life.system", lives});
+  if (r.bearing) {
+    page.in_document.push_back(
+        {"life.bearings.fixed", {"equivalent_load_N", "l10_revolutions", "l10_hours", "static_safety"}});
+    page.in_document.push_back({"life.system_with_bearings", {"l10_revolutions", "l10_hours", "l10_travel_km"}});
+  }
   page.in_document.push_back(
       {"life.weakest_thread", {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}});
   if (solved) page.estimates = {"equal_shares"};

@@ -24,7 +24,9 @@ void add_preload_notes(const Case& c, Result& result) {
 }
 
 Result slips_of(const input::Source&, const input::CaseInput& in) {
-  Result result = analyze_heat(in.values);
+  AnalysisOptions options;
+  if (in.limits) options.temperature_limit = in.limits->temperature;
+  Result result = analyze_heat(in.values, options);
   add_preload_notes(in.values, result);
   if (in.values.friction->facts().has_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
@@ -78,7 +80,7 @@ std::vector<Headline> losses(const Result& r) {
   Headline lost{"Power lost", "power_loss_W"};
   if (r.heat_cycle) {
     if (!r.heat_cycle->converged()) return {};
-    lost.value = r.heat_cycle->energy_lost / r.heat_cycle->period;
+    lost.value = r.heat_cycle->energy_lost / r.heat_cycle->duration();
     lost.where = "heat.duty: mean over the cycle";
     return {lost};
   }
@@ -96,15 +98,16 @@ std::vector<Headline> losses(const Result& r) {
 PageSection slip_section(const Result& r) {
   constexpr const char* kOfSteadyStates = "Steady: each load case running without pause";
   const bool steady =
-      std::ranges::any_of(r.load_cases, [](const LoadCaseResult& load) { return load.heat.has_value(); });
+      std::ranges::any_of(r.load_cases, [](const LoadCaseResult& load) { return load.heat.has_value(); }) &&
+      !(r.heat_cycle && r.heat_cycle->is_mission());
   return {.in_cases = {{"slip",
                         {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W", "torque_screw_Nm",
                          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"},
                         steady ? kOfSteadyStates : ""},
                        {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
           .in_document = {{"heat_cycle",
-                           {"status", "reason", "period_s", "peak_degC", "mean_degC", "energy_in_J", "energy_lost_J",
-                            "efficiency"},
+                           {"status", "reason", "period_s", "cycles", "start_degC", "end_degC", "peak_degC",
+                            "mean_degC", "time_to_limit_s", "energy_in_J", "energy_lost_J", "efficiency"},
                            "Over the duty cycle"}},
           .folded = {"slip_patches", "slip_residue", "roller_friction"},
           .estimates = {"equal_shares", "efficiency_fit"},

@@ -44,7 +44,7 @@ bool screw_drives(const LoadCaseResult& r) {
 FoundCriterion efficiency(const Result& slip, const Case& c) {
   FoundCriterion found("efficiency", "the screw drives in no load case");
   found.applies = std::ranges::any_of(slip.load_cases, screw_drives);
-  if (const auto& cycle = slip.heat_cycle) {
+  if (const auto& cycle = slip.heat_cycle; cycle && !cycle->is_mission()) {
     if (found.applies && cycle->converged()) found.take(cycle->efficiency, "heat.duty", "over the cycle");
     if (!cycle->converged()) found.why = "the duty cycle did not converge", found.applies = true;
     return found;
@@ -132,17 +132,17 @@ std::optional<MotorDemand> demand_of(const MotorDuty& duty, const Result* slip, 
 }  // namespace
 
 std::vector<FoundCriterion> slip_criteria(const Result& slip, const JudgedCase& of) {
-  // Slip has running loads of warm parts, but in a duty cycle at steady temperatures that it never reaches.
-  const bool is_steady = !slip.heat_cycle;
+  // Slip has running loads of warm parts, but in a duty cycle at steady temperatures that it never reaches; in a
+  // mission at its mean ones.
+  const bool is_steady = !slip.heat_cycle || slip.heat_cycle->is_mission();
   std::vector<FoundCriterion> all{is_steady ? pressure_criterion(slip) : FoundCriterion("peak_pressure"),
                                   efficiency(slip, of.c), film(slip, of.c)};
   if (of.c.heat) all.push_back(temperature(slip));
   if (is_steady) {
     all.push_back(convergence(failed_cases(slip, "slip", has_answer)));
     all.push_back(convergence(failed_cases(slip, "temperatures", has_temperatures)));
-  } else {
-    all.push_back(convergence(slip.heat_cycle->converged() ? "" : "the duty cycle"));
   }
+  if (slip.heat_cycle) all.push_back(convergence(slip.heat_cycle->converged() ? "" : "the duty cycle"));
   return all;
 }
 

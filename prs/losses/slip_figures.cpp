@@ -591,16 +591,19 @@ Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve)
 }
 
 Figures heat_cycle(const Result& result) {
-  if (!result.heat_cycle || !result.heat_cycle->converged()) return {};
-  const HeatCycle& cycle = *result.heat_cycle;
+  return result.heat_cycle && result.heat_cycle->converged() ? heat_cycle(*result.heat_cycle) : Figures{};
+}
+
+Figures heat_cycle(const HeatCycle& cycle) {
   const PartSeries temperature = celsius_of(cycle.temperature);
   const PartNumbers mean = celsius_of(cycle.mean);
   constexpr double kLong = 2.0 * 3600.0;
-  const bool hours = cycle.period > kLong;
+  const bool hours = cycle.duration() > kLong;
   const double per_second = hours ? 1.0 / 3600.0 : 1.0;
 
-  Figure figure{"heat_cycle", "Temperatures over the duty cycle"};
-  figure.x = Axis{"Time", hours ? "h" : "s", 0.0, cycle.period * per_second};
+  Figure figure{"heat_cycle",
+                cycle.is_mission() ? "Temperatures over the mission" : "Temperatures over the duty cycle"};
+  figure.x = Axis{"Time", hours ? "h" : "s", 0.0, cycle.duration() * per_second};
   figure.y = Axis{"Temperature", "°C"};
   Panel panel;
   const auto add = [&](Part part, std::string name, const std::vector<double>& values, double average) {

@@ -41,6 +41,7 @@ Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis, co
 Figures power_by_source(const Result& result, const FigureOptions& options);
 
 /// Temperatures of the parts over the cycle of the duty, their means dashed.
+Figures heat_cycle(const HeatCycle& cycle);
 Figures heat_cycle(const Result& result);
 
 /// Figures of `slip`, and by their names those of `solve`. Case and result must outlive the list.

@@ -176,11 +176,19 @@ std::string heat_lines(const std::optional<HeatResult>& heat) {
 }
 
 std::string cycle_block(const HeatCycle& cycle) {
-  const std::string title = fmt::format("duty cycle: {:.7g} s\n", cycle.period);
+  const bool is_mission = cycle.is_mission();
+  const std::string title = is_mission ? fmt::format("mission: {} x {:.7g} s\n", cycle.cycles, cycle.period)
+                                       : fmt::format("duty cycle: {:.7g} s\n", cycle.period);
   if (!cycle.converged()) return title + fmt::format("  NOT CONVERGED ({})\n", name(cycle.status));
-  return title + block_line("temperature", "screw", beside({"rollers", "nut"})) + parts_line("peak", cycle.peak) +
-         parts_line("mean", cycle.mean) + number_line("energy in", cycle.energy_in, "J") +
-         number_line("energy lost", cycle.energy_lost, "J") +
+  const auto& until = cycle.time_to_limit;
+  const auto seconds = [](std::optional<double> t) { return t ? fmt::format("{:.1f}", *t) : std::string(kAbsent); };
+  return title + block_line("temperature", "screw", beside({"rollers", "nut"})) +
+         (is_mission ? parts_line("start", *cycle.start) + parts_line("end", *cycle.end) : "") +
+         parts_line("peak", cycle.peak) + parts_line("mean", cycle.mean) +
+         (until.screw || until.roller || until.nut ? block_line("time to the limit, s", seconds(until.screw),
+                                                                beside({seconds(until.roller), seconds(until.nut)}))
+                                                   : "") +
+         number_line("energy in", cycle.energy_in, "J") + number_line("energy lost", cycle.energy_lost, "J") +
          block_line("efficiency, %", fixed(cycle.efficiency, "%"_per_si, 2));
 }
 

@@ -377,10 +377,13 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts, con
   const double force = std::abs(load_case.axial_force), lead = contacts.mechanism.lead;
   if (!(force > 0.0)) return m;
   find_load_stiffness(c, contacts, measures, force, m);
-  if (options_of(c).system && result.axial_stiffness)
+  if (options_of(c).system && result.axial_stiffness) {
+    MeasureOptions::System system = *options_of(c).system;
+    if (c.bearings && c.bearings->fixed.stiffness) system.support_bearing = c.bearings->fixed.stiffness;
     m.system_stiffness =
-        system_stiffness(*result.axial_stiffness, *options_of(c).system,
+        system_stiffness(*result.axial_stiffness, system,
                          {*contacts.mechanism.pitch_diameter.screw, c.structure->screw.bore}, c.materials->screw, lead);
+  }
   if (detail == Detail::complete) find_yang_distribution(c, contacts, load_case, m);
   find_pressures(c, contacts, force, m);
   find_most_loaded(c, contacts, measures, result, m);

@@ -49,20 +49,25 @@ void take_static_limits(const MeasuresResult& r, const JudgedCase& of, FoundCrit
   }
 }
 
-std::optional<InSeries> in_series(const MeasuresResult& r, std::size_t k) {
+std::optional<InSeries> in_series(const MeasuresResult& r, const JudgedCase& of, std::size_t k) {
   if (const auto& m = r.load_measures[k]; m && m->system_stiffness) {
     const auto& mechanism = m->system_stiffness->contributions.mechanism;
     return InSeries{"Stiffness of the axis",
                     1.0 / m->system_stiffness->total - (mechanism ? 1.0 / mechanism->stiffness : 0.0)};
   }
-  if (const auto& shaft = r.measures.shaft_stiffness) return InSeries{"Stiffness with the shaft", 1.0 / *shaft};
-  return std::nullopt;
+  const std::optional<double>& shaft = r.measures.shaft_stiffness;
+  const std::optional<double> bearing = of.c.bearings ? of.c.bearings->fixed.stiffness : std::nullopt;
+  if (!shaft && !bearing) return std::nullopt;
+  return InSeries{!bearing ? "Stiffness with the shaft"
+                  : shaft  ? "Stiffness with shaft and bearing"
+                           : "Stiffness with the bearing",
+                  (shaft ? 1.0 / *shaft : 0.0) + (bearing ? 1.0 / *bearing : 0.0)};
 }
 
 }  // namespace
 
 std::vector<FoundCriterion> measures_criteria(const MeasuresResult& r, const JudgedCase& of) {
-  std::vector<FoundCriterion> all = load_criteria(r.analysis, of, [&](std::size_t k) { return in_series(r, k); });
+  std::vector<FoundCriterion> all = load_criteria(r.analysis, of, [&](std::size_t k) { return in_series(r, of, k); });
   FoundCriterion safety("static_safety"), edge("flank_edge");
   take_static_limits(r, of, safety, edge);
   const bool lacks = lacks_shaft(of.c);

@@ -47,6 +47,7 @@ struct Conditions {
   std::optional<Preload> preload;
   std::optional<Life> life;
   std::optional<MeasureOptions> measures;
+  std::optional<Bearings> bearings;
   std::optional<Lubricant> lubricant;
   std::optional<Friction> friction;
   std::optional<Wear> wear;

@@ -4,6 +4,7 @@
 
 #include "prs/model/limits.h"
 #include "prs/model/motor_duty.h"
+#include "prs/model/quantity_text.h"
 
 namespace prs {
 
@@ -24,6 +25,12 @@ std::vector<Problem> check_case(const Case& c) {
   check_carrier(c.carrier, problems);
   if (c.heat) check_heat(c, problems);
   if (c.measures) check_measures(c, problems);
+  if (c.bearings && c.bearings->fixed.dynamic_capacity)
+    if (const Bearings::Fixed& b = c.bearings->fixed; !(b.preload < *b.dynamic_capacity))
+      problems.add(
+          "bearings.fixed.preload",
+          "got {}; expected less than `dynamic_capacity`, {}: makers preload with a tenth of it; check the units",
+          newton(b.preload), newton(*b.dynamic_capacity));
   if (c.response) check_response(c, problems);
   return std::move(problems).take();
 }
@@ -133,6 +140,21 @@ std::vector<Problem> check_motor(const MotorDuty& duty, const Conditions& c) {
   return std::move(problems).take();
 }
 
+std::string wrong_length(const std::optional<int>& cycles, std::size_t steps) {
+  constexpr std::size_t kMost = 100'000;
+  if (!cycles || static_cast<std::size_t>(*cycles) * steps <= kMost) return {};
+  return fmt::format("got {} cycles of {} steps; expected at most {} steps in all; state fewer, longer steps", *cycles,
+                     steps, kMost);
+}
+
+std::string wrong_start(const std::optional<PerPart<double>>& start, const Limits& limits) {
+  if (!start || !limits.temperature) return {};
+  const double hottest = std::max({start->screw, start->roller, start->nut});
+  if (hottest < *limits.temperature) return {};
+  return fmt::format("got {}; expected less than `limits.temperature`, {}; start cooler, or raise the limit",
+                     celsius(hottest), celsius(*limits.temperature));
+}
+
 std::vector<Problem> check_limits(const Limits& limits, const Conditions& c) {
   Problems problems;
   constexpr double kZeroCelsius = 273.15;
@@ -141,6 +163,8 @@ std::vector<Problem> check_limits(const Limits& limits, const Conditions& c) {
                  "got {:.6g} degC; expected more than the surroundings have, heat.ambient: {:.6g} "
                  "degC; raise the limit",
                  *limits.temperature - kZeroCelsius, c.heat->ambient - kZeroCelsius);
+  if (const std::string wrong = wrong_start(c.heat ? c.heat->start : std::nullopt, limits); !wrong.empty())
+    problems.add("heat.start", "{}", wrong);
   return std::move(problems).take();
 }
 

@@ -53,6 +53,7 @@ struct CriterionRow {
 /// buckling load and 80 % of the critical speed by catalogues; grease and seals do not last above 120 degC.
 inline constexpr CriterionRow kCriteria[] = {
     {.name = "life", .title = "Life", .unit = "h", .needed = Command::life},
+    {.name = "bearing_life", .title = "Life of the bearing", .unit = "h"},
     {.name = "static_safety",
      .title = "Static safety",
      .limit = &Limits::static_safety,
@@ -62,6 +63,11 @@ inline constexpr CriterionRow kCriteria[] = {
      .why = "no load whose thread loads are known",
      .of_preload = true,
      .last_of_equal = true},
+    {.name = "bearing_static_safety",
+     .title = "Static safety of the bearing",
+     .limit = &Limits::static_safety,
+     .physical = 1.0,
+     .recommended = 1.5},
     {.name = "flank_edge",
      .title = "Flank's edge",
      .recommended = 1.0,
@@ -133,6 +139,7 @@ inline constexpr CriterionRow kCriteria[] = {
      .sense = Sense::greatest,
      .limit = &Limits::temperature,
      .zero = 273.15,
+     .physical = 726.85,  // Bearing steel turns into austenite.
      .recommended = 120.0,
      .needed = Command::slip,
      .last_of_equal = true},

@@ -27,6 +27,12 @@ struct Limits {
   std::optional<double> temperature;           ///< Upper limit [K].
 };
 
+/// Problem of a mission of many steps, whose time grows with their number; empty if there is none.
+std::string wrong_length(const std::optional<int>& cycles, std::size_t steps);
+
+/// Problem of the start of a mission that has a limit of temperature; empty if there is none.
+std::string wrong_start(const std::optional<PerPart<double>>& start, const Limits& limits);
+
 /// Contradictions between the limits and the rest of a case.
 std::vector<Problem> check_limits(const Limits& limits, const Conditions& c);
 

@@ -354,6 +354,9 @@ void check_measures(const Case& c, Problems& problems) {
                    "got {}; expected at least {}, the stroke of {} and the nut's length; lengthen the shaft or shorten "
                    "the stroke",
                    mm(m.shaft->length), mm(least), mm(*m.shaft->stroke));
+  if (m.system && m.system->support_bearing && c.bearings && c.bearings->fixed.stiffness)
+    problems.add("measures.system.support_bearing",
+                 "got a stiffness next to `bearings.fixed.stiffness`; expected one of them; delete the other");
   if (!m.system || !m.system->shaft) return;
   const MeasureOptions::System::Shaft& shaft = *m.system->shaft;
   if (shaft.from_bearing && *shaft.from_bearing >= shaft.length)

@@ -123,4 +123,17 @@ struct MeasureOptions {
   std::optional<System> system;
 };
 
+/// Axial bearings at the ends of the shaft.
+struct Bearings {
+  /// Bearing that holds the turning part along its axis, with axial values as makers of screw bearings print them.
+  struct Fixed {
+    std::optional<double> dynamic_capacity;  ///< C [N]
+    std::optional<double> static_capacity;   ///< C_0 [N]
+    double preload = 0.0;                    ///< F_V [N]
+    std::optional<double> stiffness;         ///< [N/m]
+    double exponent = 3.0;                   ///< Exponent p of its life.
+  };
+  Fixed fixed;
+};
+
 }  // namespace prs

@@ -202,9 +202,20 @@ struct Heat {
   double ambient = 0.0;  ///< [K]
   Conductance conductance;
   Losses losses = Losses::warm;
-  std::vector<DutyStep> duty = {};  ///< Steps, repeated without end; none: no cycle.
+  std::vector<DutyStep> duty = {};            ///< Steps, repeated without end or `cycles` times; none: no cycle.
+  std::optional<int> cycles = {};             ///< Number of cycles of a mission from `start`; none: the periodic state.
+  std::optional<PerPart<double>> start = {};  ///< Temperatures at the start of a mission [K]; default `ambient`.
   std::optional<Capacity> capacity = {};
   std::optional<double> specific_heat = {};  ///< One value for all parts, replaces `capacity` [J/(kg K)].
+
+  bool has_mission() const { return cycles && !duty.empty(); }
+  PerPart<double> start_temperature() const { return start.value_or(PerPart<double>{ambient, ambient, ambient}); }
+  /// Duration of one cycle [s].
+  double period() const {
+    double time = 0.0;
+    for (const DutyStep& step : duty) time += step.time();
+    return time;
+  }
 };
 
 /// Whether loads, losses and life are computed at the temperatures of `heat`.

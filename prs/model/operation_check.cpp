@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "prs/model/check_case.h"
+#include "prs/model/limits.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {
@@ -214,17 +215,23 @@ void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Proble
   const std::optional<contact::WaltherLine> line =
       l.walther ? l.walther : line_through(points, density.value_or(contact::kTypicalOilDensity), problems);
   if (!line) return;
-  const double temperature = heat ? heat->ambient : *l.temperature;
-  const double viscosity = contact::kinematic_viscosity(*line, temperature);
-  if (viscosity > contact::kLeastKinematicViscosity && viscosity <= contact::kGreatestKinematicViscosity) return;
-  problems.add(heat ? "heat.ambient" : "lubricant.temperature",
-               fmt::format("got {}, where the oil's line gives {}; expected more than {} and at "
-                           "most {} there, within ASTM D341; check the temperature and {}",
-                           celsius(temperature), mm2_per_s(viscosity), mm2_per_s(contact::kLeastKinematicViscosity),
-                           mm2_per_s(contact::kGreatestKinematicViscosity),
-                           l.walther                ? "`walther`"
-                           : l.viscosity_at.empty() ? "the name"
-                                                    : "the two points"));
+  const auto check = [&](const char* path, double temperature) {
+    const double viscosity = contact::kinematic_viscosity(*line, temperature);
+    if (viscosity > contact::kLeastKinematicViscosity && viscosity <= contact::kGreatestKinematicViscosity) return;
+    problems.add(path,
+                 fmt::format("got {}, where the oil's line gives {}; expected more than {} and at "
+                             "most {} there, within ASTM D341; check the temperature and {}",
+                             celsius(temperature), mm2_per_s(viscosity), mm2_per_s(contact::kLeastKinematicViscosity),
+                             mm2_per_s(contact::kGreatestKinematicViscosity),
+                             l.walther                ? "`walther`"
+                             : l.viscosity_at.empty() ? "the name"
+                                                      : "the two points"));
+  };
+  check(heat ? "heat.ambient" : "lubricant.temperature", heat ? heat->ambient : *l.temperature);
+  if (!heat || !heat->start) return;
+  const auto& [screw, rollers, nut] = *heat->start;
+  for (const double temperature : {std::min({screw, rollers, nut}), std::max({screw, rollers, nut})})
+    check("heat.start", temperature);
 }
 
 void check_carrier(const Carrier& carrier, Problems& problems) {
@@ -282,7 +289,14 @@ void check_heat(const Case& c, Problems& problems) {
                  "expected one of the two; delete `deviations.temperature` or `heat`");
   if (c.heat->duty.empty()) return;
   check_duty(c, problems);
-  if (warms(c.heat)) check_capacity(c, problems);
+  if (const std::string wrong = wrong_length(c.heat->cycles, c.heat->duty.size()); !wrong.empty())
+    problems.add("heat.cycles", wrong);
+  if (warms(c.heat))
+    check_capacity(c, problems);
+  else if (c.heat->cycles)
+    problems.add("heat.cycles",
+                 "got a mission, whose losses follow the temperatures, together with `losses: stated`; expected one of "
+                 "them; delete `losses` or `cycles`");
 }
 
 void require_heat(const Case& c, Problems& problems) {

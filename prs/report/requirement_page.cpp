@@ -87,7 +87,7 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
            requirement_inputs_html(result)},
       {"first", "First candidate: " + html(first.name),
        items_html(first.criteria, {"name", "unit", "value", "limit", "margin", "status", "reason"}) +
-           picture("size_curve") +
+           picture("size_curve") + picture("size_mission") +
            folded_html("Every value", record_table(describe<SizedCandidate>(), {{"", &candidate}}))},
       {"candidates", "Candidates",
        picture("size_map") +

@@ -37,7 +37,7 @@ void hold_against_limit(Criterion& c, const CriterionRow& row, const std::option
 /// The limit that the case states, in the unit of the row.
 std::optional<double> stated(const CriterionRow& row, const Limits& l) {
   if (row.limit) return l.*row.limit ? std::optional(*(l.*row.limit) * row.factor - row.zero) : std::nullopt;
-  if (row.name != "life" || !l.life) return {};
+  if (!row.name.ends_with("life") || !l.life) return {};
   return l.life->travel ? *l.life->travel * "km"_per_si : *l.life->duration / 3600.0;
 }
 
@@ -46,7 +46,7 @@ Criterion judged(const FoundCriterion& found, const Limits& limits) {
   Criterion c{row.name, found.title.empty() ? row.title : found.title, found.unit.empty() ? row.unit : found.unit,
               row.sense, found.value};
   c.limit = found.limit ? found.limit : stated(row, limits);
-  if (row.name == "life" && limits.life && limits.life->travel) c.unit = "km";
+  if (row.name.ends_with("life") && limits.life && limits.life->travel) c.unit = "km";
   if (found.best && found.value && std::abs(*found.best - *found.value) > kLimitRounding * std::abs(*found.value))
     c.best = found.best;
   if (found.standing) {
@@ -305,7 +305,8 @@ std::string origin(const Criterion& c) {
       (c.name.starts_with("motor_") || c.name == "brake" || c.name == "back_driving"))
     return "motor";
   if (c.name == "reference") return "references[].tolerance";
-  if (c.source == LimitSource::stated) return fmt::format("limits.{}", c.name);
+  if (c.source == LimitSource::stated)
+    return fmt::format("limits.{}", c.name.substr(c.name.starts_with("bearing_") ? 8 : 0));
   return c.source == LimitSource::physics ? "physical limit" : "recommended";
 }
 

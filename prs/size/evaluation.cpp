@@ -1,4 +1,4 @@
-#include "prs/heat/thermal_network.h"
+#include "prs/heat/duty_cycle.h"
 #include "prs/life/analyze_life.h"
 #include "prs/losses/motor_demand.h"
 #include "prs/measures/measures.h"
@@ -82,8 +82,9 @@ class Evaluation {
     c_.nut_length = s.c.structure->nut.length;
     c_.conductance = conductance_of(in_, sized_);
     find_measures();
+    if (r_.has_mission()) run_mission();
     find_losses();
-    if (!by_maker()) warm_parts();
+    if (!by_maker() && !r_.has_mission()) warm_parts();
     find_no_load_torque();
     find_lives();
     find_stiffness();
@@ -115,7 +116,7 @@ class Evaluation {
   }
 
   void find_lives() {
-    const LifeResult life = analyze_life(sized_.c, contacts_);
+    const LifeResult life = analyze_life(sized_.c, contacts_, {}, oils_);
     c_.by_threads.capacity = life.dynamic_capacity;
     rating_ = life.rated_over_l10();
     if (life.converged()) {
@@ -125,18 +126,45 @@ class Evaluation {
     }
     c_.life = c_.by_threads.life;
     c_.static_safety = c_.by_threads.static_safety;
-    if (!by_maker()) return;
+    if (by_maker()) take_makers_life(life);
+    find_bearing(life);
+  }
+
+  void take_makers_life(const LifeResult& life) {
     c_.rated_dynamic_capacity = c_.dynamic_capacity.value_or(life.dynamic_capacity);
     c_.rated_static_capacity = c_.static_capacity ? c_.static_capacity : life.equal_shares_static_capacity;
     if (c_.rated_static_capacity) c_.static_safety = *c_.rated_static_capacity / cycle_.largest_force;
     if (cycle_.mean_load) c_.life = life_of(rating_ * rating_life(*c_.rated_dynamic_capacity, *cycle_.mean_load));
   }
 
+  void find_bearing(const LifeResult& life) {
+    if (!life.bearing) return;
+    c_.bearing_static_safety = life.bearing->static_safety;
+    if (!cycle_.mean_load) return;
+    c_.bearing_load = life.bearing->equivalent_load;
+    if (!life.bearing->life) return;
+    c_.bearing_life = life_of(life.reliability_factor * *life.bearing->life);
+    if (!c_.life.revolutions) return;
+    const double lives[] = {*c_.life.revolutions / rating_, *life.bearing->life};
+    c_.life_with_bearings = life_of(combined_life(lives));
+  }
+
+  /// Runs the mission; loads, losses and lives are then those of its mean temperatures. Without one, at ambient.
+  void run_mission() {
+    sized_.c.heat = heat_of_cycle(in_, sized_, c_.conductance);
+    c_.mission = duty_cycle(sized_.c, contacts_, mission_warnings_, nullptr, nullptr, r_.limits.temperature);
+    const double ambient = r_.heat->ambient;
+    sized_.c.deviations.temperature =
+        c_.mission->converged() ? c_.mission->mean : PerPart<double>{ambient, ambient, ambient};
+    c_.parts_at = sized_.c.deviations.temperature;
+    oils_ = warm_oils(sized_.c, oil_temperatures(of_parts(*c_.parts_at)));
+  }
+
   void find_branches() {
     branches_.clear();
     c_.segments.clear();
     c_.warnings.clear();
-    const Result result = analyze_slip(sized_.c, contacts_, kManyDesigns);
+    const Result result = analyze_slip(sized_.c, contacts_, kManyDesigns, oils_);
     const LoadCaseResult& back = result.load_cases[sized_.back_driving()];
     if (slips(back)) c_.self_locking = back.slip->self_locking.value_or(false);
     bool by_row = false;
@@ -170,7 +198,7 @@ class Evaluation {
     c_.no_load_torque = screw_torque(analyze_slip(idle, contacts_, kManyDesigns).load_cases.front(), lead_);
   }
 
-  /// Computes the stiffness under the load case with the largest force, at rest, in series with the shaft.
+  /// Computes the stiffness under the load case with the largest force, at rest, in series with shaft and bearing.
   void find_stiffness() {
     std::size_t largest = sized_.back_driving();
     for (std::size_t k = 0; k < sized_.back_driving(); ++k)
@@ -182,7 +210,10 @@ class Evaluation {
     const std::optional<double> nut =
         at_rest.preload ? FlankSolver(at_rest, contacts_).solve(at_rest.load_cases.front()).axial_stiffness
                         : analyze(at_rest, contacts_, kManyDesigns).load_cases.front().axial_stiffness;
-    if (nut && measures_.shaft_stiffness) c_.stiffness = 1.0 / (1.0 / *nut + 1.0 / *measures_.shaft_stiffness);
+    if (!nut || !measures_.shaft_stiffness) return;
+    double compliance = 1.0 / *nut + 1.0 / *measures_.shaft_stiffness;
+    if (r_.bearings && r_.bearings->fixed.stiffness) compliance += 1.0 / *r_.bearings->fixed.stiffness;
+    c_.stiffness = 1.0 / compliance;
   }
 
   void find_losses() {
@@ -209,7 +240,11 @@ class Evaluation {
     if (has_losses) c_.power_lost = lost / cycle_.duration;
     if (has_eta && drives_) c_.efficiency = work / input;
     c_.temperature.reset();
-    if (has_heat) c_.temperature = per_part(network_of(r_, c_).steady(heat / cycle_.duration));
+    if (c_.mission && c_.mission->converged()) {
+      c_.temperature = c_.mission->mean;
+      c_.power_lost = c_.mission->energy_lost / c_.mission->duration();
+    } else if (has_heat && !c_.mission)
+      c_.temperature = per_part(network_of(r_, c_).steady(heat / cycle_.duration));
   }
 
   /// Computes losses, and all that follows, with parts at the temperatures that the losses cause.
@@ -322,10 +357,18 @@ class Evaluation {
     const std::optional<double> hours = c_.life.hours ? std::optional(*c_.life.hours * kHour) : std::nullopt;
     at_least("life", "h", {hours, r_.life.hours, no_load, no_loads, basis});
     at_least("life", "km", {c_.life.travel, r_.life.distance, no_load, no_loads, basis});
+    const std::optional<double> bearing_hours =
+        c_.bearing_life.hours ? std::optional(*c_.bearing_life.hours * kHour) : std::nullopt;
+    if (r_.bearings && r_.bearings->fixed.dynamic_capacity) {
+      at_least("bearing_life", "h", {bearing_hours, r_.life.hours, no_load});
+      at_least("bearing_life", "km", {c_.bearing_life.travel, r_.life.distance, no_load});
+    }
     at_least("static_safety", "",
              {c_.static_safety, l.static_safety, "", no_loads,
               c_.rated_static_capacity ? rested_on("C_0", c_.static_capacity, *c_.rated_static_capacity)
                                        : "threads: pressure or deformation"});
+    if (r_.bearings && r_.bearings->fixed.static_capacity)
+      at_least("bearing_static_safety", "", {c_.bearing_static_safety, l.static_safety});
     at_least("buckling", "",
              {c_.buckling_safety, l.buckling_safety,
               cycle_.largest_compression > 0.0 ? "" : "nothing compresses the screw"});
@@ -345,11 +388,12 @@ class Evaluation {
              {c_.efficiency, l.efficiency, drives_ ? "" : "the screw drives in no segment", no_efficiency});
     judge_back_driving();
     add("temperature", "degC", false,
-        {in_celsius(c_.hottest_part()), in_celsius(l.temperature), "",
-         !r_.heat ? "state `heat`, with the conductances of nut and screw in their seats"
-         : by_row ? "a catalogue does not say where losses arise"
-                  : "slip has no equilibrium at the temperatures of its losses"},
-        r_.heat ? r_.heat->ambient - kKelvin : 0.0);
+        {in_celsius(c_.hottest_part()), in_celsius(limit_of_temperature()), "",
+         c_.mission ? std::string_view(c_.mission->reason)
+         : !r_.heat ? "state `heat`, with the conductances of nut and screw in their seats"
+         : by_row   ? "a catalogue does not say where losses arise"
+                    : "slip has no equilibrium at the temperatures of its losses"},
+        r_.heat ? coolest() - kKelvin : 0.0);
     at_most("motor_speed", "rpm", {c_.motor_largest_speed, m.largest_speed, rests});
     at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency});
     at_most("motor_peak_torque", "N m", {c_.motor_peak_torque, m.peak_torque, "", no_efficiency});
@@ -377,6 +421,18 @@ class Evaluation {
                              : ""});
     at_most("motor_current", "A", {known(e.peak_current), m.supply.current, "", why_not});
     at_most("motor_rms_current", "A", {known(e.rms_current), m.continuous_current, "", why_not});
+  }
+
+  /// Limit of the temperature: the stated one, or the physical one where parts pass it.
+  std::optional<double> limit_of_temperature() const {
+    const bool passes = c_.hottest_part() > kHottest || (c_.mission && !c_.mission->converged());
+    return r_.limits.temperature || !passes ? r_.limits.temperature : std::optional(kHottest);
+  }
+  /// Temperature of the surroundings, or of a cooler start [K].
+  double coolest() const {
+    const double ambient = r_.heat->ambient;
+    const auto& start = c_.mission ? c_.mission->start : std::nullopt;
+    return start ? std::min({ambient, start->screw, start->roller, start->nut}) : ambient;
   }
 
   void judge_back_driving() {
@@ -444,6 +500,7 @@ class Evaluation {
   }
 
   void warn_of_heat() {
+    c_.warnings.insert(c_.warnings.end(), mission_warnings_.begin(), mission_warnings_.end());
     if (!c_.temperature) return;
     std::vector<Warning>& all = c_.warnings;
     const Requirement::Conductance& k = r_.heat->conductance;
@@ -458,6 +515,7 @@ class Evaluation {
                   fmt::format("the hottest part has {:.0f} degC; grease and seals do not last beyond 120 degC",
                               *c_.hottest_part() - kKelvin)}
               .with(*c_.hottest_part(), kGreaseEnds, "K"_unit));
+    if (c_.mission) return;
     if (!r_.motion.loads && cycle_.duration > kLongCycle)
       all.push_back(Warning{
           "heat", "long_cycle",
@@ -481,6 +539,8 @@ class Evaluation {
   const MotionCycle& cycle_;
   SizedCase sized_;
   Contacts contacts_;
+  std::optional<Oils> oils_;  ///< Oils of a mission.
+  std::vector<Warning> mission_warnings_;
   double lead_ = 0.0;    ///< |l| [m]
   double rating_ = 1.0;  ///< a1 a_ISO
   Measures measures_;
@@ -523,6 +583,8 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
   curve.rank = c.rank;
   sized.c.load_cases.clear();
   sized.c.deviations.temperature = c.parts_at;
+  std::optional<Oils> oils;
+  if (c.mission) oils = warm_oils(sized.c, oil_temperatures(of_parts(*c.parts_at)));
   for (std::size_t k = 1; k <= kCurvePoints; ++k) curve.speed.push_back(top * static_cast<double>(k) / kCurvePoints);
   std::vector<double> speeds = curve.speed;
   speeds.push_back(in.cycle.driving_speed());
@@ -532,7 +594,8 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
     at_speed.name = fmt::format("speed-{}", sized.c.load_cases.size());
   }
   std::optional<Result> found;
-  if (r.losses == Requirement::Losses::slip) found = analyze_slip(sized.c, kManyDesigns);
+  if (r.losses == Requirement::Losses::slip)
+    found = analyze_slip(sized.c, checked_contacts(sized.c, Detail::numbers), kManyDesigns, oils);
   using Limit = std::pair<std::string_view, double>;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto limits_at = [&](std::size_t k, double& eta) {
@@ -550,7 +613,7 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
       const double turns = (r.life.hours ? *r.life.hours * v : *r.life.distance) / lead;
       limits.emplace_back("life", force * std::cbrt(*c.life.revolutions / turns));
     }
-    if (r.limits.temperature && c.temperature) {
+    if (r.limits.temperature && c.temperature && !c.mission) {
       const double warmest = b.heat ? network_of(r, c).steady(*b.heat).maxCoeff() : kNone;
       limits.emplace_back("temperature",
                           force * (*r.limits.temperature - r.heat->ambient) / (warmest - r.heat->ambient));

@@ -266,6 +266,7 @@ void fields(const Fields& io, Requirement& r) {
        measures("shaft", r.shaft, Block{}, "Of the screw, for buckling and critical speed");
      }},
      "As in a case");
+  io("bearings", r.bearings, Block{}, "As in a case");
   io("life", r.life, Block{"{hours: 20000 h}"}, "Required life");
   io("limits", r.limits, Block{}, "What candidates are held against");
   io("motor", r.motor, Block{}, "Without a limit there is no criterion");
@@ -293,6 +294,7 @@ void fields(const Fields& io, Requirement& r) {
   io("heat", r.heat, Keys{[&](const Fields& heat) {
        heat("ambient", r.heat->ambient, Quantity{unit::temperature, positive}, "Temperature of the surroundings");
        heat("conductance", r.heat->conductance, Block{}, "Heat flow over temperature");
+       mission_fields(heat, r.heat->cycles, r.heat->start, true);
      }},
      "How the parts get rid of the heat of friction; without it temperatures are not known");
   io("relubrication", r.relubrication, Keys{[&](const Fields& rule) {
@@ -349,6 +351,13 @@ class Checker {
              "degC; raise the limit",
              *r_.limits.temperature - 273.15, ambient - 273.15);
     check_candidates();
+    if (!r_.heat) return;
+    if (const std::string wrong = wrong_start(r_.heat->start, r_.limits); !wrong.empty())
+      refuse("heat.start", "{}", wrong);
+    if (r_.heat->cycles && r_.losses == Requirement::Losses::catalogue)
+      refuse("heat.cycles",
+             "got a mission together with `losses: catalogue`, which does not say where losses arise; expected "
+             "`losses: slip`; delete one of them");
   }
 
   /// Checks its forces and names.
@@ -368,6 +377,9 @@ class Checker {
                "expected different names; rename one",
                shown(s.name));
     }
+    if (const std::string wrong = wrong_length(r_.heat ? r_.heat->cycles : std::nullopt, cycle.shown.size());
+        !wrong.empty())
+      refuse("heat.cycles", "{}", wrong);
     if (cycle.largest_force == 0.0)
       refuse(form, "got no force in the whole cycle; expected one; add {}, for example",
              r_.linkage ? "`torque: 2 kN m` to a segment or `load: {inertia: 50 kg m^2}`"
@@ -451,7 +463,14 @@ void check_blocks(const Requirement& r, const Node& root, ErrorList& errors) {
   c.lubricant = r.lubricant;
   c.roughness = r.roughness;
   c.carrier = r.carrier;
+  c.bearings = r.bearings;
   c.operation = Operation{.speed = 1.0};
+  if (r.has_mission()) {
+    c.lubricant->temperature.reset();
+    c.heat =
+        Heat{.ambient = r.heat->ambient, .conductance = {.nut_ambient = 1.0, .screw_rollers = 1.0, .rollers_nut = 1.0}};
+    c.heat->start = r.heat->start;
+  }
   for (const Problem& p : problems_of(c, Command::slip)) refuse(root, p.path, p.message, errors);
 }
 

@@ -124,6 +124,7 @@ struct Requirement {
   std::optional<double> stroke;  ///< [m]
   Measures measures;
   Shaft shaft;
+  std::optional<Bearings> bearings;
   Life life;
   Limits limits;
   DriveMotor motor;
@@ -139,8 +140,12 @@ struct Requirement {
   struct Surroundings {
     double ambient = 298.15;  ///< [K]
     Conductance conductance;
+    std::optional<int> cycles;             ///< Number of cycles of a mission, see `Heat::cycles`.
+    std::optional<PerPart<double>> start;  ///< [K]
   };
   std::optional<Surroundings> heat;  ///< Surroundings, without which no temperature is known.
+  /// Whether temperatures are those of a mission.
+  bool has_mission() const { return heat && heat->cycles && losses == Losses::slip; }
   std::optional<Relubrication> relubrication;
   Candidates candidates;
   Objective objective = Objective::weight;

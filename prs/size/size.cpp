@@ -115,7 +115,8 @@ double SizedCandidate::least_missed_margin() const {
 
 std::optional<double> SizedCandidate::hottest_part() const {
   if (!temperature) return std::nullopt;
-  return std::max({temperature->screw, temperature->roller, temperature->nut});
+  const PerPart<double>& hottest = mission ? mission->peak : *temperature;
+  return std::max({hottest.screw, hottest.roller, hottest.nut});
 }
 
 std::size_t SizeResult::passing() const {
@@ -157,6 +158,9 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
   for (SizedCandidate& c : result.candidates) c.rank = ++rank;
   mark_pareto(result.candidates);
   if (result.passing() == 0) result.relax = relaxation(result.candidates);
+  for (SizedCandidate& c : result.candidates)
+    if (c.mission && c.rank != static_cast<int>(std::max<std::size_t>(options.curve_of, 1)))
+      c.mission->time.clear(), c.mission->temperature = {};
   if (options.curve_of >= 1 && options.curve_of <= result.candidates.size())
     result.curve = force_over_speed(result.input, result.candidates[options.curve_of - 1]);
   return result;
@@ -516,7 +520,9 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   c.friction = r.friction;
   c.lubricant = r.lubricant;
   c.roughness = r.roughness;
+  if (r.has_mission()) c.lubricant->temperature.reset();
   c.carrier = r.carrier;
+  c.bearings = r.bearings;
   c.measures = r.measures;
   c.measures->shaft = MeasureOptions::Shaft{sized.shaft_length, r.shaft.ends};
   sized.drag_torque = r.load.drag_torque;
@@ -533,13 +539,17 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   return sized;
 }
 
-namespace {
-
-/// The block `heat` with the cycle as its duty: for a class the time in which its mean force does the work of its
-/// samples.
 Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& k) {
-  Heat heat{.ambient = in.values.heat.value_or(Requirement::Surroundings{}).ambient, .conductance = k};
-  heat.losses = Heat::Losses::stated;
+  constexpr double kSteel = 460.0;  // Specific heat [J/(kg K)].
+  const Requirement::Surroundings surroundings = in.values.heat.value_or(Requirement::Surroundings{});
+  Heat heat{.ambient = surroundings.ambient, .conductance = k};
+  if (in.values.has_mission()) {
+    heat.cycles = surroundings.cycles;
+    heat.start = surroundings.start;
+    heat.specific_heat = kSteel;
+  } else {
+    heat.losses = Heat::Losses::stated;
+  }
   std::vector<double> work(in.cycle.shown.size(), 0.0);
   for (const MotionSegment& s : in.cycle.all) work[s.shown_as] += s.work();
   const auto rest = [&](double time) { heat.duty.push_back({.load_case = {}, .duration = {}, .rest = time}); };
@@ -550,11 +560,13 @@ Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Cond
       continue;
     }
     const double acts = in.cycle.in_classes && s.force != 0.0 ? s.duration * work[j] / s.work() : s.duration;
-    heat.duty.push_back({.load_case = nlohmann::json(s.name).dump(), .duration = acts, .rest = {}});
+    heat.duty.push_back({.load_case = s.name, .duration = acts, .rest = {}});
     if (s.duration - acts > kAlike * s.duration) rest(s.duration - acts);
   }
   return heat;
 }
+
+namespace {
 
 /// The block `motor`: every segment with its own force, and the friction of its load case.
 MotorDuty motor_duty(const SizeInput& in, const SizedCase& sized) {
@@ -671,16 +683,19 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
                                  1e6 * rough.roller, 1e6 * rough.nut),
                      "roughness") +
           lines.block("carrier", value_of(c.carrier, Block{}), value_of(carrier_default, Block{})) +
-          (candidate.temperature
+          (in.values.has_mission() ? "\n# The mission, whose losses follow the temperatures of the parts.\n"
+           : candidate.temperature
                ? "\n# Mean of the cycle. For parts that warm up and oil that follows, write `specific_heat: 460 "
                  "J/(kg K)` in place of\n# `losses: stated`, and delete temperatures of parts.\n"
                : "\n# Temperatures are not known. With what seat, bearings and air take they would be the mean of the "
                  "cycle; bare parts in\n# still air, by the rules of `prs new`:\n");
   Heat heat = heat_of_cycle(in, sized, candidate.conductance);
+  for (Heat::DutyStep& step : heat.duty)
+    if (step.load_case) step.load_case = nlohmann::json(*step.load_case).dump();
   std::string of_heat = block_text("heat", value_of(heat, Block{}));
-  for (std::size_t at = 0; !candidate.temperature && at < of_heat.size(); at = of_heat.find('\n', at) + 1)
-    of_heat.insert(at, "# ");
-  if (candidate.parts_at)
+  const bool is_known = candidate.temperature || in.values.has_mission();
+  for (std::size_t at = 0; !is_known && at < of_heat.size(); at = of_heat.find('\n', at) + 1) of_heat.insert(at, "# ");
+  if (candidate.parts_at && !in.values.has_mission())
     of_heat +=
         fmt::format("deviations: {{temperature: {{screw: {:.12g} degC, roller: {:.12g} degC, nut: {:.12g} degC}}}}\n",
                     candidate.parts_at->screw - kZeroCelsius, candidate.parts_at->roller - kZeroCelsius,
@@ -699,6 +714,7 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
   return text + of_heat + preload + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
          lines.block("life", value_of(life, Block{}), value_of(life_default, Block{})) + "\n" +
          lines.block("measures", value_of(*c.measures, Block{}), value_of(measures_default, Block{})) + "\n" +
+         (c.bearings ? block_text("bearings", value_of(*c.bearings, Block{})) + "\n" : "") +
          lines.block("limits", value_of(limits, Block{}), value_of(limits_default, Block{})) +
          "\n# One cycle of the axis; `prs check` holds motor and brake against their limits.\n" +
          block_text("motor", value_of(duty, Block{}));

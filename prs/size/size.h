@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/configurations/configurations.h"
+#include "prs/heat/result/heat_result.h"
 #include "prs/losses/motor_demand.h"
 #include "prs/record/record.h"
 #include "prs/size/requirement.h"
@@ -49,6 +50,10 @@ struct SizedCase {
 
   std::size_t back_driving() const { return c.load_cases.size() - 1; }
 };
+
+/// The block `heat` with the cycle as its duty: for a class the time in which its mean force does the work of its
+/// samples.
+Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& conductance);
 
 /// Case of a candidate. The nut of an inverted screw without a stated length is as long as the rollers' threads travel.
 /// Throws CaseError if `prs new` refuses the screw, or a nut is too short for the stroke.
@@ -106,10 +111,15 @@ struct SizedCandidate : CandidateData {
     std::optional<double> static_safety, capacity;
   };
   ByThreads by_threads;
+  /// Bearing of the turning part; life of it and the screw together.
+  SizedLife bearing_life, life_with_bearings;
+  std::optional<double> bearing_load, bearing_static_safety;
   std::optional<double> buckling_load, buckling_safety, critical_speed, largest_speed;
   std::optional<double> speed_times_diameter, stiffness, efficiency, back_driving_efficiency;
   std::optional<bool> self_locking;
-  std::optional<PerPart<double>> temperature;  ///< [K]
+  std::optional<PerPart<double>> temperature;  ///< Mean of the cycle or the mission [K].
+  /// Mission of the requirement; the course of temperatures is kept for the candidate with a curve alone.
+  std::optional<HeatCycle> mission;
   /// Temperatures of the parts for the thread loads [K]; none: the reference temperature.
   std::optional<PerPart<double>> parts_at;
   Heat::Conductance conductance;  ///< Given conductances, else by the rule of `prs new`.
@@ -132,7 +142,7 @@ struct SizedCandidate : CandidateData {
   /// Origin of the capacities of its life: maker | computed | threads.
   std::string_view basis() const;
   double least_missed_margin() const;
-  std::optional<double> hottest_part() const;  ///< [K]
+  std::optional<double> hottest_part() const;  ///< Peak of a mission, else the largest mean [K].
 };
 
 /// A row or a combination that `prs new` refuses.

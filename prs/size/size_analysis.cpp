@@ -6,6 +6,7 @@
 #include "prs/configurations/configurations_files.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_record.h"
+#include "prs/losses/slip_figures.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -184,25 +185,33 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"preload_N", of<&SizedCandidate::preload_force>, "of each flank without load"},
     {"no_load_torque_Nm", of<&SizedCandidate::no_load_torque>,
      "of the preload at the part that turns, at the mean speed"},
+    {"bearing_equivalent_load_N", of<&SizedCandidate::bearing_load>, "of the bearing, with its preload"},
+    {"bearing_life_hours", of<[](const SizedCandidate& c) { return c.bearing_life.hours; }>,
+     "of the bearing at the required reliability, rests included"},
+    {"bearing_life_km", of<[](const SizedCandidate& c) { return c.bearing_life.travel; }>, "the same, of all travel"},
+    {"life_with_bearings_hours", of<[](const SizedCandidate& c) { return c.life_with_bearings.hours; }>,
+     "L10 of screw and bearing together, rests included"},
+    {"bearing_static_safety", of<&SizedCandidate::bearing_static_safety>, "static capacity over the largest force"},
     {"buckling_load_N", of<&SizedCandidate::buckling_load>, "of the shaft, as `prs measures`"},
     {"buckling_safety", of<&SizedCandidate::buckling_safety>, "against the largest compression"},
     {"critical_speed_rpm", of<&SizedCandidate::critical_speed>, "of a screw that turns"},
     {"largest_speed_rpm", of<&SizedCandidate::largest_speed>, "of screw against nut"},
     {"speed_times_diameter_mm_per_min", of<&SizedCandidate::speed_times_diameter>, "d the nominal diameter"},
     {"stiffness_N_per_um", of<&SizedCandidate::stiffness>,
-     "of the load case with the largest force, in series with the shaft"},
+     "of the load case with the largest force, in series with shaft and bearing"},
     {"efficiency", of<&SizedCandidate::efficiency>, "of the cycle, where the screw drives"},
     {"back_driving_efficiency", of<&SizedCandidate::back_driving_efficiency>, "absent where the screw locks itself"},
     {"self_locking", of<&SizedCandidate::self_locking>, "by slip"},
     {"temperature_degC", of<[](const SizedCandidate& c) {
        return c.temperature ? std::optional(celsius_of(*c.temperature)) : std::nullopt;
      }>,
-     "mean of the cycle; absent without `heat`"},
+     "mean of the cycle or the mission; absent without `heat`"},
     {"hottest_part_degC", of<[](const SizedCandidate& c) {
        const auto hottest = c.hottest_part();
        return hottest ? std::optional(*hottest - kZeroCelsius) : std::nullopt;
      }>,
-     "largest of these"},
+     "largest of these; in a mission its peak"},
+    {"heat_cycle", of<&SizedCandidate::mission>, "the mission; its course for the candidate with a curve"},
     {"conductance_W_per_K", of<&SizedCandidate::conductance>, "between parts and surroundings"},
     {"power_lost_W", of<&SizedCandidate::power_lost>, "mean of the cycle"},
     {"inertia_kg_mm2", of<&SizedCandidate::inertia>, "at the part that turns"},
@@ -484,6 +493,18 @@ Figures curve(const SizeResult& r) {
   return {std::move(figure)};
 }
 
+/// Temperatures of the first candidate over the mission.
+Figures mission(const SizeResult& r) {
+  for (const SizedCandidate& c : r.candidates) {
+    if (!c.mission || !c.mission->converged() || c.mission->time.empty()) continue;
+    Figures figures = heat_cycle(*c.mission);
+    figures.front().name = "size_mission";
+    figures.front().title = fmt::format("{}: temperatures over the mission", shown_name(c.name));
+    return figures;
+  }
+  return {};
+}
+
 /// Margins of the first candidates, criterion by criterion; below 1 a criterion fails.
 Figures margins(const SizeResult& r) {
   Figure figure{"size_margins", "Margins"};
@@ -524,7 +545,8 @@ Figures margins(const SizeResult& r) {
 Pictures size_pictures(const SizeResult& r) {
   return {{"size_map", "candidates", of_result(r, map)},
           {"size_curve", "a mean load and a limit of speed", of_result(r, curve)},
-          {"size_margins", "criteria with margins", of_result(r, margins)}};
+          {"size_margins", "criteria with margins", of_result(r, margins)},
+          {"size_mission", "a mission", of_result(r, mission)}};
 }
 
 namespace {
@@ -670,6 +692,7 @@ constexpr std::pair<std::string_view, std::string_view> kRestsOn[] = {
     {"life", "life.basis"},
     {"static_safety", "limits.static_safety"},
     {"static_safety", "life.basis"},
+    {"bearing_static_safety", "limits.static_safety"},
     {"buckling", "limits.buckling_safety"},
     {"buckling", "measures.shaft.ends"},
     {"critical_speed", "limits.critical_speed_share"},

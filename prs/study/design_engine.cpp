@@ -67,10 +67,10 @@ std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::strin
   return numbers;
 }
 
-/// Load cases of `all` that the numbers need, ascending.
-std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers, std::size_t all) {
+/// Load cases of `all` that the numbers, or the duty, need, ascending.
+std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers, std::size_t all, bool needs_duty) {
   std::vector<std::size_t> indices;
-  if (std::ranges::any_of(numbers, &ResultNumber::needs_duty)) {
+  if (needs_duty) {
     indices.resize(all);
     std::iota(indices.begin(), indices.end(), std::size_t{0});
   }
@@ -169,7 +169,7 @@ struct DesignEngine::Parts {
   simd::InstructionSet set;
   std::optional<std::vector<ResultNumber>> numbers;
   std::vector<std::size_t> load_cases;                 ///< Load cases that the numbers need.
-  bool needs_duty = false;                             ///< Whether one of the numbers is of a duty.
+  bool needs_duty = false;                             ///< Whether one of the numbers, or temperatures, is of a duty.
   bool in_columns = false;                             ///< Whether BarBatch or SlipBatch gets what it takes.
   NumberDetail number_detail;                          ///< Load-case data for the numbers.
   bool of_references = false;                          ///< Whether deviations of references are recorded.
@@ -300,8 +300,9 @@ struct DesignEngine::Parts {
     study.responses = recorded_columns(study, document, threads, arrays);
     if (study.command != Command::response) numbers = numbers_of(study.responses);
     if (!numbers) return;
-    load_cases = load_cases_of(*numbers, all_load_cases);
-    needs_duty = std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
+    const bool has_mission = base && warms(base->heat) && base->heat->has_mission();
+    needs_duty = has_mission || std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
+    load_cases = load_cases_of(*numbers, all_load_cases, needs_duty);
     const auto of_mechanism = [](const ResultNumber& number) { return !number.load_case; };
     if (measures() || std::ranges::any_of(*numbers, of_mechanism)) contact_detail = ContactDetail::numbers;
     if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete)) detail = Detail::complete;

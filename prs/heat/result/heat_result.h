@@ -35,19 +35,25 @@ struct HeatResult {
   bool converged() const { return status == HeatStatus::converged; }
 };
 
-/// Periodic state of a duty cycle. SI units.
+/// Periodic state of a duty cycle, or a mission of some cycles. SI units.
 struct HeatCycle {
   HeatStatus status = HeatStatus::iteration_limit;
   std::string reason = {};
-  std::vector<double> time;                  ///< Times from the start of the cycle to its end [s].
-  PerPart<std::vector<double>> temperature;  ///< Temperatures at these times [K].
-  PerPart<double> peak, mean;                ///< [K]
-  double period = 0.0;                       ///< [s]
-  double energy_in = 0.0;                    ///< Energy input of shaft and load while they drive, per cycle [J].
-  double energy_lost = 0.0;                  ///< Energy lost by friction, per cycle [J].
-  std::optional<double> efficiency;          ///< Ratio of output to input; none without input.
+  std::vector<double> time;                   ///< Times from the start of the cycle or the mission to its end [s].
+  PerPart<std::vector<double>> temperature;   ///< Temperatures at these times [K].
+  PerPart<double> peak, mean;                 ///< [K]
+  double period = 0.0;                        ///< Duration of one cycle [s].
+  int cycles = 1;                             ///< Number of cycles over which the rest counts.
+  double energy_in = 0.0;                     ///< Energy input of shaft and load while they drive [J].
+  double energy_lost = 0.0;                   ///< Energy lost by friction [J].
+  std::optional<double> efficiency;           ///< Ratio of output to input; none without input.
+  std::optional<PerPart<double>> start, end;  ///< Temperatures at both ends of a mission [K].
+  /// Times at which the parts first reach the limit of temperature in a mission [s].
+  PerPart<std::optional<double>> time_to_limit;
 
   bool converged() const { return status == HeatStatus::converged; }
+  bool is_mission() const { return start.has_value(); }
+  double duration() const { return period * cycles; }
 };
 
 }  // namespace prs

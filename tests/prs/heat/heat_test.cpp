@@ -312,62 +312,6 @@ TEST(HeatCycle, ADutyOfOneLoadCaseEndsAtItsSteadyState) {
   }
 }
 
-TEST(HeatCycle, ConstantLossesGiveTheClosedFormOfALinearNetwork) {
-  // Without an oil Coulomb's losses do not follow the temperature.
-  Case c = with_duty(test::with_coulomb(warm_reference(), 0.08),
-                     {acting("reference", 40.0), rest(25.0), acting("reference", 10.0), rest(90.0)});
-  c.lubricant.reset();
-  const HeatCycle cycle = cycle_of(c);
-  const Contacts contacts = checked_contacts(c, Detail::numbers);
-  const Eigen::Vector3d heat = plain_heat(c, contacts, Eigen::Vector3d::Constant(300.0));
-  const Heat::Conductance& k = c.heat->conductance;
-  Eigen::Matrix3d conductance;
-  for (int i = 0; i < 3; ++i)
-    conductance.col(i) = plain_flow(*c.heat, Eigen::Vector3d::Constant(c.heat->ambient) + Eigen::Vector3d::Unit(i));
-  const Eigen::Vector3d root = Eigen::Vector3d(350.0, 120.0, 700.0).cwiseSqrt();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(root.cwiseInverse().asDiagonal() * conductance *
-                                                             root.cwiseInverse().asDiagonal());
-  const auto decay = [&](double time) -> Eigen::Matrix3d {
-    return root.cwiseInverse().asDiagonal() * modes.eigenvectors() *
-           (-modes.eigenvalues() * time).array().exp().matrix().asDiagonal() * modes.eigenvectors().transpose() *
-           root.asDiagonal();
-  };
-  const Eigen::Vector3d ambient = Eigen::Vector3d::Constant(c.heat->ambient);
-  const Eigen::Vector3d steady = ambient + conductance.ldlt().solve(heat);
-  const auto after = [&](const Eigen::Vector3d& from, double time, bool acts) -> Eigen::Vector3d {
-    const Eigen::Vector3d& to = acts ? steady : ambient;
-    return to + decay(time) * (from - to);
-  };
-  // Periodic start of the linear map.
-  const auto map = [&](Eigen::Vector3d t) {
-    t = after(t, 40.0, true), t = after(t, 25.0, false);
-    t = after(t, 10.0, true);
-    return after(t, 90.0, false);
-  };
-  const Eigen::Vector3d start =
-      (Eigen::Matrix3d::Identity() - decay(165.0)).partialPivLu().solve(map(ambient) - decay(165.0) * ambient);
-  const auto exact = [&](double time) {
-    Eigen::Vector3d t = start;
-    for (const auto& [duration, acts] : {std::pair{40.0, true}, {25.0, false}, {10.0, true}, {90.0, false}}) {
-      const double here = std::min(time, duration);
-      t = after(t, here, acts);
-      time -= here;
-      if (time <= 0.0) break;
-    }
-    return t;
-  };
-  ASSERT_EQ(cycle.time.front(), 0.0);
-  ASSERT_NEAR(cycle.time.back(), 165.0, 1e-9);
-  for (std::size_t i = 0; i < cycle.time.size(); ++i) {
-    const Eigen::Vector3d t = exact(cycle.time[i]);
-    EXPECT_NEAR(cycle.temperature.screw[i], t[0], 1e-6) << cycle.time[i];
-    EXPECT_NEAR(cycle.temperature.roller[i], t[1], 1e-6) << cycle.time[i];
-    EXPECT_NEAR(cycle.temperature.nut[i], t[2], 1e-6) << cycle.time[i];
-  }
-  EXPECT_NEAR(cycle.energy_lost / (50.0 * heat.sum()), 1.0, 1e-10);
-  EXPECT_GT(k.nut_ambient, 0.0);
-}
-
 /// One load case of 35 kN, and one of 10 kN in the other direction at twice the speed.
 Case two_loads(Case c) {
   c.load_cases[0].name = "pull";
@@ -380,6 +324,166 @@ Case two_loads(Case c) {
     back.axial_force *= -0.3;
   c.load_cases.push_back(back);
   return c;
+}
+
+/// The linear network of a case whose losses do not follow the temperature: T_inf + exp(-C^-1 K t) (T - T_inf).
+struct ClosedForm {
+  explicit ClosedForm(const Case& c)
+      : heat(plain_heat(c, checked_contacts(c, Detail::numbers), Eigen::Vector3d::Constant(300.0))),
+        ambient(Eigen::Vector3d::Constant(c.heat->ambient)),
+        root(Eigen::Vector3d(350.0, 120.0, 700.0).cwiseSqrt()) {
+    Eigen::Matrix3d conductance;
+    for (int i = 0; i < 3; ++i) conductance.col(i) = plain_flow(*c.heat, ambient + Eigen::Vector3d::Unit(i));
+    modes.compute(root.cwiseInverse().asDiagonal() * conductance * root.cwiseInverse().asDiagonal());
+    steady = ambient + conductance.ldlt().solve(heat);
+  }
+
+  Eigen::Matrix3d decay(double time) const {
+    return root.cwiseInverse().asDiagonal() * modes.eigenvectors() *
+           (-modes.eigenvalues() * time).array().exp().matrix().asDiagonal() * modes.eigenvectors().transpose() *
+           root.asDiagonal();
+  }
+  Eigen::Vector3d after(const Eigen::Vector3d& from, double time, bool acts) const {
+    const Eigen::Vector3d& to = acts ? steady : ambient;
+    return to + decay(time) * (from - to);
+  }
+  /// Temperatures at a time of steps that act and rest in turn.
+  Eigen::Vector3d course(Eigen::Vector3d t, const std::vector<double>& steps, double time) const {
+    for (std::size_t k = 0; k < steps.size() && time > 0.0; time -= steps[k++])
+      t = after(t, std::min(time, steps[k]), k % 2 == 0);
+    return t;
+  }
+
+  Eigen::Vector3d heat, ambient, root, steady;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes;
+};
+
+void expect_course(const HeatCycle& cycle, const ClosedForm& exact, const Eigen::Vector3d& start,
+                   const std::vector<double>& steps) {
+  for (std::size_t i = 0; i < cycle.time.size(); ++i) {
+    const Eigen::Vector3d t = exact.course(start, steps, cycle.time[i]);
+    EXPECT_NEAR(cycle.temperature.screw[i], t[0], 1e-6) << cycle.time[i];
+    EXPECT_NEAR(cycle.temperature.roller[i], t[1], 1e-6) << cycle.time[i];
+    EXPECT_NEAR(cycle.temperature.nut[i], t[2], 1e-6) << cycle.time[i];
+  }
+}
+
+/// Without an oil Coulomb's losses do not follow the temperature.
+Case with_constant_losses() {
+  Case c = with_duty(test::with_coulomb(warm_reference(), 0.08),
+                     {acting("reference", 40.0), rest(25.0), acting("reference", 10.0), rest(90.0)});
+  c.lubricant.reset();
+  return c;
+}
+const std::vector<double> kSteps{40.0, 25.0, 10.0, 90.0};
+
+TEST(HeatCycle, ConstantLossesGiveTheClosedFormOfALinearNetwork) {
+  const Case c = with_constant_losses();
+  const HeatCycle cycle = cycle_of(c);
+  const ClosedForm exact(c);
+  // Periodic start of the linear map.
+  const Eigen::Vector3d start =
+      (Eigen::Matrix3d::Identity() - exact.decay(165.0))
+          .partialPivLu()
+          .solve(exact.course(exact.ambient, kSteps, 165.0) - exact.decay(165.0) * exact.ambient);
+  ASSERT_EQ(cycle.time.front(), 0.0);
+  ASSERT_NEAR(cycle.time.back(), 165.0, 1e-9);
+  expect_course(cycle, exact, start, kSteps);
+  EXPECT_NEAR(cycle.energy_lost / (50.0 * exact.heat.sum()), 1.0, 1e-10);
+  EXPECT_FALSE(cycle.is_mission());
+}
+
+// The check of the definition: conductances screw-ambient 2, screw-rollers 20, rollers-nut 30, nut-ambient 8 W/K.
+TEST(Mission, ConstantLossesGiveTheDigitsOfTheSolvedCase) {
+  Heat heat;
+  heat.ambient = 25.0 + kCelsius;
+  heat.conductance = {.screw_ambient = 2.0, .nut_ambient = 8.0, .screw_rollers = 20.0, .rollers_nut = 30.0};
+  const ThermalNetwork network = thermal_network(heat);
+  const OfParts capacity(400.0, 250.0, 700.0), losses(300.0, 250.0, 150.0), start = OfParts::Constant(heat.ambient);
+  const std::vector<LossTable> tables{LossTable(Losses{losses, losses.sum(), 0.0})};
+  const auto after = [&](double time) {
+    const DutySegment segments[] = {{0, time}};
+    return warming(network, capacity, segments, tables, start, 60.0 + kCelsius);
+  };
+  const std::pair<double, OfParts> solved[] = {{30.0, {44.372970, 41.743625, 35.376104}},
+                                               {120.0, {76.273929, 71.293154, 61.585512}},
+                                               {600.0, {109.210063, 102.786722, 90.233191}},
+                                               {1e5, {110.294118, 103.823529, 91.176471}}};
+  for (const auto& [time, celsius] : solved) {
+    const HeatCycle mission = after(time);
+    ASSERT_TRUE(mission.converged());
+    EXPECT_LT((kelvin(*mission.end) - celsius - OfParts::Constant(kCelsius)).cwiseAbs().maxCoeff(), 6e-7) << time;
+    EXPECT_LT((kelvin(mission.peak) - kelvin(*mission.end)).cwiseAbs().maxCoeff(), 1e-7) << time;
+  }
+  EXPECT_FALSE(after(30.0).time_to_limit.screw);
+  EXPECT_NEAR(*after(600.0).time_to_limit.screw, 65.913007, 6e-7);
+  EXPECT_EQ(kelvin(*after(30.0).start), start);
+}
+
+TEST(Mission, RunsThroughItsCyclesFromTheStart) {
+  Case c = with_constant_losses();
+  c.heat->cycles = 3;
+  c.heat->start = PerPart<double>{300.0, 290.0, 280.0};
+  const ClosedForm exact(c);
+  const Eigen::Vector3d start(300.0, 290.0, 280.0);
+  std::vector<double> steps;
+  for (int cycle = 0; cycle < 3; ++cycle) steps.insert(steps.end(), kSteps.begin(), kSteps.end());
+  // The rollers reach this limit within the first step.
+  const double limit = exact.after(start, 25.0, true)[1];
+  AnalysisOptions options;
+  options.temperature_limit = limit;
+  const HeatCycle mission = *analyze_heat(c, options).heat_cycle;
+  ASSERT_TRUE(mission.converged()) << mission.reason;
+  EXPECT_EQ(mission.cycles, 3);
+  EXPECT_NEAR(mission.period, 165.0, 1e-9);
+  EXPECT_NEAR(mission.time.back(), 495.0, 1e-9);
+  expect_course(mission, exact, start, steps);
+  EXPECT_EQ(kelvin(*mission.start), start);
+  EXPECT_LT((kelvin(*mission.end) - exact.course(start, steps, 495.0)).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_NEAR(*mission.time_to_limit.roller, 25.0, 1e-6);
+  EXPECT_NEAR(mission.energy_lost / (150.0 * exact.heat.sum()), 1.0, 1e-10);
+  // The mean follows from the balance of energy: what is lost warms the parts or flows to the surroundings.
+  const Eigen::Vector3d capacity(350.0, 120.0, 700.0);
+  const Eigen::Vector3d flow = plain_flow(*c.heat, kelvin(mission.mean));
+  EXPECT_NEAR(495.0 * flow.sum() + capacity.dot(kelvin(*mission.end) - start), mission.energy_lost, 1e-3);
+}
+
+TEST(Mission, FromThePeriodicStateIsThatState) {
+  SKIP_UNDER_SANITIZERS();
+  Case c = with_duty(two_loads(warm_solved()), {acting("pull", 60.0), rest(30.0), acting("return", 45.0)});
+  const HeatCycle periodic = cycle_of(c);
+  c.heat->cycles = 2;
+  const auto at = [&](std::size_t k) {
+    return PerPart<double>{periodic.temperature.screw[k], periodic.temperature.roller[k], periodic.temperature.nut[k]};
+  };
+  c.heat->start = at(0);
+  const Result result = analyze_heat(c);
+  const HeatCycle& mission = *result.heat_cycle;
+  ASSERT_TRUE(mission.converged()) << mission.reason;
+  for (const Part p : kParts) {
+    EXPECT_NEAR((*mission.end)[p], periodic.temperature[p].back(), 1e-3);
+    EXPECT_NEAR(mission.peak[p], periodic.peak[p], 1e-3);
+    EXPECT_NEAR(mission.mean[p], periodic.mean[p], 1e-3);
+  }
+  EXPECT_NEAR(mission.energy_lost / (2.0 * periodic.energy_lost), 1.0, 1e-5);
+  // Load cases stand at the mean temperatures of the mission, not at steady ones.
+  for (const LoadCaseResult& r : result.load_cases) EXPECT_EQ(kelvin(r.heat->temperature), kelvin(mission.mean));
+  const LoadCaseResult& pull = result.load_cases[0];
+  const Eigen::Vector3d heat = plain_heat(c, result.contacts, kelvin(mission.mean));
+  EXPECT_NEAR(pull.slip->power.total() / heat.sum(), 1.0, 1e-6);
+}
+
+TEST(Mission, EndsWhereSteelDoes) {
+  Case c = with_constant_losses();
+  c.heat->duty = {acting("reference", 1e7)};
+  c.heat->conductance = {.nut_ambient = 0.01, .screw_rollers = 20.0, .rollers_nut = 30.0};
+  c.heat->cycles = 1;
+  AnalysisOptions options;
+  options.temperature_limit = 400.0;
+  const HeatCycle mission = *analyze_heat(c, options).heat_cycle;
+  EXPECT_EQ(mission.status, HeatStatus::no_steady_state);
+  EXPECT_THAT(mission.reason, ::testing::HasSubstr("the parts pass 726.85 degC"));
+  EXPECT_TRUE(mission.time_to_limit.screw);
 }
 
 TEST(HeatCycle, EnergyThatIsLostFlowsToTheSurroundings) {

@@ -203,6 +203,44 @@ TEST(AnalyzeLife, CapacitiesOfACatalogueComeFirst) {
   EXPECT_NEAR(*r.static_safety(), 9.0, 1e-14);
 }
 
+const std::string kBearing = "bearings: {fixed: {dynamic_capacity: 50 kN, static_capacity: 90 kN, preload: 5 kN}}\n";
+
+// Loads, shares and numbers of the definition; a stated capacity gives the screw 30 million revolutions.
+TEST(BearingLife, IsThatOfTheSolvedCase) {
+  const double mean = std::cbrt(0.3 * 1e12 + 0.2 * 8e12 + 0.5 * 8e9);
+  const Case c = input::read_case_text(
+      input::kAbevi + kBearing +
+          fmt::format(
+              "life: {{share: equal, dynamic_capacity: {:.12g} N, spectrum: [{{force: 10 kN, direction: tension, "
+              "share: 0.3}}, {{force: 20 kN, direction: compression, share: 0.2}}, {{force: 2 kN, direction: "
+              "tension, share: 0.5}}]}}\n",
+              std::cbrt(30.0) * mean),
+      "test.yaml", {}, Command::life);
+  const LifeResult r = analyze_life(c);
+  ASSERT_TRUE(r.bearing);
+  EXPECT_NEAR(r.bearing->equivalent_load, 12864.4321, 5e-5);
+  EXPECT_NEAR(*r.bearing->life * 1e-6, 58.7135, 5e-5);
+  EXPECT_NEAR(r.screw_life() * 1e-6, 30.0, 1e-9);
+  EXPECT_NEAR(*r.life_with_bearings() * 1e-6, 21.1551, 5e-5);
+  EXPECT_NEAR(*r.bearing->static_safety, 4.5, 1e-12);
+}
+
+TEST(BearingLife, WaysWithoutForceTurnUnderThePreload) {
+  const auto of = [](const std::string& more) {
+    return analyze_life(input::read_case_text(
+        input::kAbevi + kBearing + "life: {share: equal, spectrum: [{force: 10 kN, direction: tension, distance: 5 m}" +
+            more + "}\n",
+        "test.yaml", {}, Command::life));
+  };
+  const LifeResult loaded = of("]"), idle = of("], travel: 15 m");
+  const double cube = std::pow(preloaded_bearing_load(10e3, 5e3), 3);
+  EXPECT_NEAR(idle.bearing->revolutions, 3.0 * loaded.bearing->revolutions, 1e-9);
+  EXPECT_NEAR(std::pow(idle.bearing->equivalent_load, 3) / ((cube + 2.0 * std::pow(5e3, 3)) / 3.0), 1.0, 1e-12);
+  // In passes: three times the revolutions of the bearing belong to those of the screw under load.
+  EXPECT_NEAR(*idle.bearing_life() * 3.0 / *idle.bearing->life, 1.0, 1e-12);
+  EXPECT_NEAR(*loaded.bearing_life() / *loaded.bearing->life, 1.0, 1e-12);
+}
+
 TEST(AnalyzeLife, HoursFollowTheMissionOrTheSpeed) {
   const std::string loads =
       "{force: 10 kN, direction: tension, duration: 2 h},"

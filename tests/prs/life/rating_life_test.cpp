@@ -50,6 +50,16 @@ TEST(CombinedLife, LeavesOutWhatIsNotLoaded) {
   EXPECT_TRUE(std::isinf(combined_life({})));
 }
 
+TEST(PreloadedBearingLoad, IsTheRuleOfMakers) {
+  // 50 kN of capacity, preloaded with 5 kN; the digits are those of the definition.
+  EXPECT_NEAR(preloaded_bearing_load(10e3, 5e3), 11148.3616, 5e-5);
+  EXPECT_EQ(preloaded_bearing_load(20e3, 5e3), 20e3);
+  EXPECT_NEAR(preloaded_bearing_load(2e3, 5e3), 6096.6903, 5e-5);
+  EXPECT_EQ(preloaded_bearing_load(0.0, 5e3), 5e3);
+  EXPECT_EQ(preloaded_bearing_load(7e3, 0.0), 7e3);
+  EXPECT_EQ(preloaded_bearing_load(0.0, 0.0), 0.0);
+}
+
 TEST(FailureShares, AreThoseOfTheRingsOfAThrustBallBearing) {
   EXPECT_EQ(failure_shares(0.0).screw, 0.5);
   const double gamma = 0.18;

@@ -98,6 +98,15 @@ TEST(WrittenCandidate, HasMotorAndTemperaturesOfDesigns) {
                             "candidates: {designs: {screw_diameter: [30 mm, 40 mm], lead: [5 mm, 10 mm]}}\n");
 }
 
+TEST(WrittenCandidate, HasTheMissionAndTheBearing) {
+  expect_one_set_of_numbers(
+      kPress + kMotor +
+      "limits: {temperature: 80 degC, efficiency: 60 %, stiffness: 80 N/um}\nlife: {hours: 500 h, basis: threads}\n"
+      "bearings: {fixed: {dynamic_capacity: 60 kN, static_capacity: 110 kN, preload: 6 kN, stiffness: 900 N/um}}\n"
+      "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}, cycles: 20, start: 10 degC}\n"
+      "candidates: {designs: {screw_diameter: 40 mm, lead: 10 mm, starts: 5}}\n");
+}
+
 TEST(WrittenCandidate, HasNoTemperatureWithoutHeat) {
   expect_one_set_of_numbers(kPress +
                             "limits: {temperature: 60 degC}\n"

@@ -527,6 +527,27 @@ TEST(Size, NoTwoCandidatesHaveOneName) {
   EXPECT_TRUE(names.contains("30x5 inverted 3-start"));
 }
 
+// Coulomb's friction with equal loads at all temperatures: the mission is that of the linear network with the losses of
+// the segments, whatever the steady state would be.
+TEST(Size, AMissionFromColdIsHeldAgainstItsPeak) {
+  const auto mission = [](const char* more) {
+    return sized(of_one(
+        std::string(kMotion) + "limits: {temperature: 80 degC}\n" + "bearings: {fixed: {dynamic_capacity: 40 kN}}\n" +
+        "heat: {ambient: 25 degC, conductance: {nut_ambient: 1 W/K, screw_ambient: 0.5 W/K}" + more + "}\n"));
+  };
+  const SizeResult mean = mission(""), cold = mission(", cycles: 5, start: 10 degC");
+  const SizedCandidate &at_mean = mean.candidates.front(), &c = cold.candidates.front();
+  EXPECT_EQ(criterion(at_mean, "temperature").status, CriterionStatus::fail);
+  EXPECT_EQ(criterion(c, "temperature").status, CriterionStatus::pass);
+  ASSERT_TRUE(c.mission && c.mission->converged());
+  EXPECT_NEAR(*c.hottest_part(), std::max({c.mission->peak.screw, c.mission->peak.roller, c.mission->peak.nut}), 0.0);
+  EXPECT_NEAR(c.mission->duration(), 5.0 * cold.input.cycle.duration, 1e-9);
+  EXPECT_NEAR(c.mission->start->screw, 283.15, 1e-9);
+  EXPECT_EQ(cold.candidates.size(), 1);
+  EXPECT_FALSE(c.mission->time.empty());
+  EXPECT_GT(*c.bearing_life.hours, 0.0);
+}
+
 TEST(Size, TemperaturesAreNotKnownWithoutHeat) {
   const SizeResult r = sized(std::string(kPressing) + "limits: {temperature: 80 degC}\n");
   for (const SizedCandidate& c : r.candidates) {
@@ -851,6 +872,17 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{MOTION "candidates: {designs: {screw_diameter: {from: 9 mm, to: 90 mm, steps: 400}, "
                      "lead: {from: 5 mm, to: 9 mm, steps: 400}}}\n",
               "2:13", "at most 100000"},
+        Wrong{MOTION "heat: {cycles: 0}\n", "2:16", "got 0"},
+        Wrong{MOTION "heat: {start: 20 degC}\n", "2:15", "it stands with `cycles`"},
+        Wrong{MOTION "heat: {cycles: 2, start: 90 degC}\nlimits: {temperature: 80 degC}\n", "2:27",
+              "less than `limits.temperature`, 80 degC"},
+        Wrong{MOTION "heat: {cycles: 2}\nlosses: catalogue\n", "2:16", "together with `losses: catalogue`"},
+        Wrong{MOTION
+              "heat: {cycles: 2}\nlubricant: {viscosity: 0.1 Pa s, pressure_viscosity: 20 1/GPa, eyring_stress: 5 "
+              "MPa}\n",
+              "3:24", "follows the temperature"},
+        Wrong{MOTION "bearings: {fixed: {dynamic_capacity: 5 kN, preload: 9 kN}}\n", "2:57",
+              "less than `dynamic_capacity`"},
         Wrong{"mechanism: {type: standard}\n" MOTION, "1:1", "got a case"}));
 #undef MOTION
 
