@@ -18,7 +18,7 @@ FoundCriterion rated_life(const LifeResult& r, const JudgedCase& of) {
   const LifeInUse in = in_use(r, r.lemor ? r.system_life : r.catalogue_life);
   const std::string note = fmt::format(
       "{:g} % reach it; {}{}", r.life.reliability * "%"_per_si,
-      !r.lemor                                    ? "stated C_a already includes uneven sharing"
+      !r.lemor                                  ? "stated C_a already includes uneven sharing"
       : r.life.share == LoadCase::Share::solved ? "real thread loads, " + words_of_text(name(r.loads))
                                                 : "equal thread loads",
       r.modified ? fmt::format("; {:.3g} times as long with film and dirt by ISO 281", r.modified->factor) : "");
@@ -53,13 +53,16 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
       const auto& flank = r.flanks[d];
       if (!flank) continue;
       if (flank->static_safety())
-        safety.take(flank->static_safety(), where,
-                    fmt::format("{} in {}, at rest{}", describe(flank->static_rating->limit), name(d), by_pressure(*flank)));
+        safety.take(
+            flank->static_safety(), where,
+            fmt::format("{} in {}, at rest{}", describe(flank->static_rating->limit), name(d), by_pressure(*flank)));
       edge.take(flank->flank_edge_margin(), where, fmt::format("in {}, at rest", name(d)));
       for (const Interface i : kInterfaces)
         if (flank->peak_pressure[i])
-          pressure.take(*flank->peak_pressure[i] * "MPa"_per_si, where, fmt::format("roller-{}, {}, {}", name(i), name(d),
-                                  flank->peak_pressure[i] == flank->running_peak_pressure[i] ? "running" : "at rest"));
+          pressure.take(
+              *flank->peak_pressure[i] * "MPa"_per_si, where,
+              fmt::format("roller-{}, {}, {}", name(i), name(d),
+                          flank->peak_pressure[i] == flank->running_peak_pressure[i] ? "running" : "at rest"));
     }
     if (const auto& flank = r.flanks.compression; flank && flank->largest_force > 0.0)
       compression.take(flank->largest_force, where);

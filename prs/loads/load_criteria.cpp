@@ -41,8 +41,7 @@ FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, 
     if (std::abs(r.load_case.axial_force) < (1.0 - kLimitRounding) * largest) continue;
     const auto take = [&](std::optional<double> stiffness, std::string_view kind) {
       if (!stiffness) return;
-      std::string note =
-          fmt::format("largest force, {}{}{}", words_of_text(name(r.loads)), of.without_preload(), kind);
+      std::string note = fmt::format("largest force, {}{}{}", words_of_text(name(r.loads)), of.without_preload(), kind);
       const std::optional<InSeries> others = of.limits.stiffness && in_series ? in_series(k) : std::nullopt;
       if (others) {
         found.title = others->title;

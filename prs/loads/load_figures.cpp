@@ -426,7 +426,8 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
 
 using enum Picture::Drawn;
 
-constexpr const char* kRange = "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal thread loads";
+constexpr const char* kRange =
+    "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal thread loads";
 
 /// Whether a solve has not converged: its iterations are then shown.
 bool has_failed(const Result& r) {
@@ -454,7 +455,8 @@ Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
 Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
   const Picture::Drawn of_threads = drawn_if(has_several_threads(r));
   Pictures all{
-      {"load_distribution", "a load case that converged, or equal thread loads", of_result(r, load_distribution), of_threads},
+      {"load_distribution", "a load case that converged, or equal thread loads", of_result(r, load_distribution),
+       of_threads},
       {"peak_pressure", "load cases, and contacts that come from the threads", of_result(r, peak_pressure), of_threads},
       {"ellipses", "load cases, and contacts that come from the threads", of_result(r, ellipses), of_threads},
       {"displacement", kRange, of_result(r, displacement)},

@@ -251,7 +251,8 @@ void add_ring(Figure& figure, Panel& panel, Part part, double outer, double inne
 }
 
 std::string shown_title(std::string what, const LoadCaseResult* shown) {
-  return shown ? fmt::format("{}, {}, {}", what, shown_name(shown->load_case.name), words_of_text(name(shown->loads))) : what;
+  return shown ? fmt::format("{}, {}, {}", what, shown_name(shown->load_case.name), words_of_text(name(shown->loads)))
+               : what;
 }
 
 const LoadCaseResult* case_shown(const Result& result, const FigureOptions& options) {

@@ -418,8 +418,8 @@ PageSection life_section(const LifeResult& r) {
           ? std::vector<std::string>{"l10_revolutions", "l10_hours", "l10_travel_km", "l10_passes"}
           : std::vector<std::string>{"rated_revolutions", "rated_hours", "rated_travel_km", "rated_passes"};
   PageSection page{.in_document = {{"life",
-                                    {"status", "share", "thread_loads", "reliability_factor", "modification_factor", "static_safety",
-                                     "static_safety_limit"}}},
+                                    {"status", "share", "thread_loads", "reliability_factor", "modification_factor",
+                                     "static_safety", "static_safety_limit"}}},
                    .folded = {"thread_lives"}};
   if (stated) page.in_document.push_back({"life.catalogue", lives});
   page.in_document.push_back({"life.system", lives});

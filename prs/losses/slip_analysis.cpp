@@ -18,7 +18,8 @@ void add_preload_notes(const Case& c, Result& result) {
   if (!some_load_has_both_flanks(c)) return add_preload_note(c, result.warnings);
   for (LoadCaseResult& r : result.load_cases)
     if (!has_both_flanks(c, r.load_case.share))
-      r.warnings.push_back({"preload", "share_without_preload", "equal thread loads are those of the external load alone",
+      r.warnings.push_back({"preload", "share_without_preload",
+                            "equal thread loads are those of the external load alone",
                             "leave out `share: equal` for loads with the preload"});
 }
 
@@ -338,29 +339,27 @@ const Analysis<Result>& slip_analysis() {
       {{"load_cases[].heat", describe<HeatResult>, false, "with `heat`: loads and slip are those at its temperatures"},
        {"load_cases[].slip", describe<SlipResult>, false, "of `prs slip`"},
        {"heat_cycle", describe<HeatCycle>, false}});
-  static const Analysis<Result> analysis{.command = Command::slip,
-                                         .help = "Slip, friction, dissipated power, efficiency and torques",
-                                         .file = "slip.json",
-                                         .run = slips_of,
-                                         .places = places,
-                                         .put = put_slips,
-                                         .load_case = slip_case_json,
-                                         .table = slip_text<false>,
-                                         .full_table = slip_text<true>,
-                                         .notes = summary_of_warnings,
-                                         .files = slip_files,
-                                         .pictures =
-                                             [](const Result& r, const Case& c) {
-                                               return with_drawings(slip_pictures(c, r), c, r);
-                                             },
-                                         .converged = have_slip,
-                                         .headlines = losses,
-                                         .criteria = slip_criteria,
-                                         .all_warnings = all_warnings,
-                                         .place = {"Slip and losses", 2},
-                                         .section = slip_section,
-                                         .responses = kResponses,
-                                         .takes_load_cases_apart = true};
+  static const Analysis<Result> analysis{
+      .command = Command::slip,
+      .help = "Slip, friction, dissipated power, efficiency and torques",
+      .file = "slip.json",
+      .run = slips_of,
+      .places = places,
+      .put = put_slips,
+      .load_case = slip_case_json,
+      .table = slip_text<false>,
+      .full_table = slip_text<true>,
+      .notes = summary_of_warnings,
+      .files = slip_files,
+      .pictures = [](const Result& r, const Case& c) { return with_drawings(slip_pictures(c, r), c, r); },
+      .converged = have_slip,
+      .headlines = losses,
+      .criteria = slip_criteria,
+      .all_warnings = all_warnings,
+      .place = {"Slip and losses", 2},
+      .section = slip_section,
+      .responses = kResponses,
+      .takes_load_cases_apart = true};
   return analysis;
 }
 

@@ -341,8 +341,8 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& 
   }
   for (const Interface i : kInterfaces)
     if (!solved && m.interface_flank_edge_load[i] && m.static_capacity)
-      add(flank_edge_near(fmt::format("with equal thread loads, the {} ellipse", label(i)), *m.interface_flank_edge_load[i],
-                          *m.static_capacity, force),
+      add(flank_edge_near(fmt::format("with equal thread loads, the {} ellipse", label(i)),
+                          *m.interface_flank_edge_load[i], *m.static_capacity, force),
           fmt::format("{}_", name(i)));
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)

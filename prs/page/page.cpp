@@ -174,7 +174,10 @@ std::string page_html(const input::Source& source, const ReportParts& parts, con
       fmt::runtime(page()), fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
       fmt::arg("style_hash", policy_hash(style)), fmt::arg("scripts", policy), fmt::arg("title", html(parts.title)),
       fmt::arg("style", style), fmt::arg("changed", live ? "<p id=\"changed\" hidden></p>\n" : ""),
-      fmt::arg("kind", live ? " is-live" : parts.sections.size() == 1 ? " is-summary" : ""), fmt::arg("head", parts.head), fmt::arg("links", links),
+      fmt::arg("kind", live                         ? " is-live"
+                       : parts.sections.size() == 1 ? " is-summary"
+                                                    : ""),
+      fmt::arg("head", parts.head), fmt::arg("links", links),
       // Shown by the script only.
       fmt::arg("panel", panel_or_reason), fmt::arg("body", body), fmt::arg("foot", parts.foot), fmt::arg("data", data));
 }

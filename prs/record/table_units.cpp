@@ -41,9 +41,8 @@ ResponseTitle response_title(std::string_view path) {
                                                                       {"max", "largest "},
                                                                       {"min", "smallest "},
                                                                       {"mean", "mean "}};
-  constexpr std::pair<std::string_view, std::string_view> kPlaces[] = {{"system", "mechanism"},
-                                                                       {"catalogue", "by the catalogue's formula"},
-                                                                       {"weakest_thread", "weakest thread"}};
+  constexpr std::pair<std::string_view, std::string_view> kPlaces[] = {
+      {"system", "mechanism"}, {"catalogue", "by the catalogue's formula"}, {"weakest_thread", "weakest thread"}};
   const auto word = [](const auto& words, std::string_view key) {
     const auto found = std::ranges::find(words, key, [](const auto& row) { return row.first; });
     return found == std::end(words) ? std::string_view() : found->second;

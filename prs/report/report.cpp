@@ -404,7 +404,8 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
     if (!reason.empty()) origin += reason == told ? ", as above" : fmt::format(": {}", reason);
     told = reason;
     has_reasons = has_reasons || !reason.empty();
-    rows.push_back({fmt::format("<code>{}</code>", breakable_html(field.path)), value_of_input_html(field), prose_html(origin)});
+    rows.push_back(
+        {fmt::format("<code>{}</code>", breakable_html(field.path)), value_of_input_html(field), prose_html(origin)});
   }
   end_block();
   if (tables.empty()) return {};
@@ -473,8 +474,8 @@ std::string studies_html(Findings& all) {
       }
     }
     if (left_out > 0)
-      text += fmt::format("<p class=\"default\">{} more picture{} {} in the folder of the results.</p>\n",
-                          left_out, left_out == 1 ? "" : "s", left_out == 1 ? "is" : "are");
+      text += fmt::format("<p class=\"default\">{} more picture{} {} in the folder of the results.</p>\n", left_out,
+                          left_out == 1 ? "" : "s", left_out == 1 ? "is" : "are");
   }
   return text;
 }
@@ -635,9 +636,12 @@ std::span<const SectionRow> section_rows() {
   static const std::vector<SectionRow> all = [] {
     std::vector<SectionRow> rows{
         {kSummary, "Summary", summary_html},
-        {"verdict", "Verdict", verdict_html, true},       {"warnings", "Warnings", warnings_html},
-        {"mechanism", "Mechanism", mechanism_html, true}, {"inputs", "Inputs and assumptions", inputs_html},
-        {"loads", "Load distribution", loads_html, true}, {"pressures", "Pressures", pressures_html, true},
+        {"verdict", "Verdict", verdict_html, true},
+        {"warnings", "Warnings", warnings_html},
+        {"mechanism", "Mechanism", mechanism_html, true},
+        {"inputs", "Inputs and assumptions", inputs_html},
+        {"loads", "Load distribution", loads_html, true},
+        {"pressures", "Pressures", pressures_html, true},
         {"stiffness", "Stiffness", stiffness_html, true},
     };
     std::ranges::move(analysis_rows(), std::back_inserter(rows));
@@ -663,9 +667,10 @@ ReportSection section_of(Findings& all, const SectionRow& row) {
 ReportParts report_parts(const input::Source& source, const ReportOptions& options) {
   if (const OtherFile* other = other_file(source)) {
     if (!options.summary) return requirement_parts(source, options);
-    throw input::InputError(fmt::format("{}: got a requirement of `prs {}` with --summary; expected a case, which "
-                                        "`prs size {} --write 1` writes",
-                                        source.name, name(other->command), source.name));
+    throw input::InputError(
+        fmt::format("{}: got a requirement of `prs {}` with --summary; expected a case, which "
+                    "`prs size {} --write 1` writes",
+                    source.name, name(other->command), source.name));
   }
   Findings all = findings_of(source, options, reported_commands());
   ReportParts parts;

@@ -69,8 +69,8 @@ void add_row(Rows& rows, const std::string& title, const QuantityInfo& q, std::s
   const std::string shown = capitalised(title);
   rows.text += fmt::format("<tr><th scope=\"row\"{}>{}</th>{}<td class=\"unit\">{}</td></tr>\n",
                            q.meaning.empty() ? "" : fmt::format(" title=\"{}\"", html(q.meaning)),
-                           named.meaning.empty() ? prose_html(shown) : term_html(capitalised(named.title), shown), cells,
-                           prose_html(unit.text));
+                           named.meaning.empty() ? prose_html(shown) : term_html(capitalised(named.title), shown),
+                           cells, prose_html(unit.text));
 }
 
 void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
@@ -214,7 +214,8 @@ std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>
   if (rows.text.empty()) return {};
   std::string head;
   const bool titled = std::ranges::any_of(columns, [](const RecordColumn& c) { return !c.title.empty(); });
-  for (const RecordColumn& column : columns) head += fmt::format("<th scope=\"col\">{}</th>", breakable_html(column.title));
+  for (const RecordColumn& column : columns)
+    head += fmt::format("<th scope=\"col\">{}</th>", breakable_html(column.title));
   constexpr std::size_t kFewColumns = 5;
   return fmt::format(
       "<div class=\"wide\" tabindex=\"0\"><table "

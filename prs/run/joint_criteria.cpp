@@ -128,7 +128,8 @@ std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded) 
   for (std::size_t k = 0; k < preloaded.forces.size(); ++k) {
     const auto& [rating, edge_load] = preloaded.forces[k];
     const LoadCase& load = preloaded.loads.load_cases[k].load_case;
-    if (rating) safety.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", at rest under preload");
+    if (rating)
+      safety.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", at rest under preload");
     if (edge_load) edge.take(*edge_load / load.axial_force, load.name, "at rest under preload");
   }
   return {pressure_criterion(preloaded.loads), safety, edge,

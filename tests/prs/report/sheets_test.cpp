@@ -58,9 +58,9 @@ TEST(Sheets, GoFromTheAnswerToTheNumbers) {
   std::vector<std::string> ids;
   for (const ReportSection& section : report_parts(input::load_source(kLesson, {}), {}).sections)
     ids.push_back(section.id);
-  EXPECT_THAT(ids, ElementsAre("summary", "verdict", "warnings", "mechanism", "inputs", "loads", "pressures", "stiffness", "life",
-                               "slip", "preload", "measures", "response", "fit", "references", "models", "contacts",
-                               "studies", "data", "provenance", "glossary"));
+  EXPECT_THAT(ids, ElementsAre("summary", "verdict", "warnings", "mechanism", "inputs", "loads", "pressures",
+                               "stiffness", "life", "slip", "preload", "measures", "response", "fit", "references",
+                               "models", "contacts", "studies", "data", "provenance", "glossary"));
 }
 
 TEST(Summary, IsOneSheetToSign) {
@@ -76,9 +76,9 @@ TEST(Summary, IsOneSheetToSign) {
 }
 
 TEST(Summary, IsOfACase) {
-  EXPECT_THROW(make_report(input::load_source(PRS_SOURCE_DIR "/configs/32_press.yaml", {}),
-                           {.live = false, .summary = true}),
-               input::InputError);
+  EXPECT_THROW(
+      make_report(input::load_source(PRS_SOURCE_DIR "/configs/32_press.yaml", {}), {.live = false, .summary = true}),
+      input::InputError);
 }
 
 TEST(Glossary, HasEachWordThatTheNumbersLeadTo) {
@@ -110,17 +110,12 @@ TEST(Sheets, AreSetAsPrint) {
     std::string page =
         make_report(input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {}), {.live = false}).html;
     page = page.substr(page.find("<body>"), page.find("id=\"data\"") - page.find("<body>"));
-    for (const char* pair : {"code", "span class=\"mono\""})
-      for (std::size_t at = page.find(std::string("<") + pair); at != page.npos;
-           at = page.find(std::string("<") + pair, at + 1)) {
-        const std::size_t end = page.find("</", at);
-        page.erase(at + 1, end - at - 1);
-      }
-    for (std::size_t at = page.find(" title=\""); at != page.npos; at = page.find(" title=\"", at))
-      page.erase(at, page.find('"', at + 8) + 1 - at);
-    for (std::size_t at = page.find("href=\"data:"); at != page.npos; at = page.find("href=\"data:", at))
-      page.erase(at, page.find('"', at + 6) + 1 - at);
-    for (const char* letters : {"`", " um<", " um,", "degC", "kg/m^3"}) EXPECT_THAT(page, Not(HasSubstr(letters))) << lesson;
+    for (const auto& [from, to] :
+         {std::pair{"<code>", "</"}, {"<span class=\"mono\">", "</"}, {" title=\"", "\">"}, {"href=\"data:", "\">"}})
+      for (std::size_t at = page.find(from); at != page.npos; at = page.find(from, at))
+        page.erase(at, page.find(to, at) - at);
+    for (const char* letters : {"`", " um<", " um,", "degC", "kg/m^3"})
+      EXPECT_THAT(page, Not(HasSubstr(letters))) << lesson;
   }
 }
 

@@ -213,7 +213,8 @@ TEST(Slip, SaysWhichLoadsTakeNothingOfThePreload) {
   const Json cases =
       run(analysis_of(Command::slip), source).document(document_info(source, Command::slip))["load_cases"];
   EXPECT_EQ(cases[0]["warnings"].dump().find("external load alone"), std::string::npos);
-  EXPECT_THAT(cases[1]["warnings"].dump(), HasSubstr("preload: equal thread loads are those of the external load alone"));
+  EXPECT_THAT(cases[1]["warnings"].dump(),
+              HasSubstr("preload: equal thread loads are those of the external load alone"));
 }
 
 /// Warnings on single values are first in every command's document.

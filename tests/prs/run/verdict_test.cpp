@@ -249,7 +249,8 @@ TEST(Verdict, EachLoadIsThatAtRestOrRunning) {
     return most;
   };
   EXPECT_GT(largest(Command::slip), largest(Command::solve));
-  EXPECT_NEAR(criterion(v, "peak_pressure")["value"].get<double>(), largest(Command::slip), 1e-8 * largest(Command::slip));
+  EXPECT_NEAR(criterion(v, "peak_pressure")["value"].get<double>(), largest(Command::slip),
+              1e-8 * largest(Command::slip));
   EXPECT_THAT(reason("peak_pressure"), testing::EndsWith(", running"));
   EXPECT_THAT(reason("static_safety"), HasSubstr("at rest"));
   EXPECT_THAT(reason("stiffness"), HasSubstr("at rest"));
