@@ -197,7 +197,7 @@ std::string requirement_html(const Findings& all) {
 
 /// Warnings, then assumptions, as many as fit on the sheet, and how many inputs are assumed.
 std::string foundations_html(const Findings& all) {
-  constexpr std::size_t kMost = 6, kLetters = 1200;
+  constexpr std::size_t kMost = 6, kLetters = 900;
   std::vector<std::string> lines;
   for (const bool assumptions : {false, true})
     for (const WarningGroup& group : grouped(selected(all.warnings, assumptions)))
