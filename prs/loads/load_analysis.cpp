@@ -172,7 +172,7 @@ std::vector<Place> with_loads(std::initializer_list<Place> places) {
 std::string load_case_table(const Result& result) {
   std::string model = model_line(result);
   if (!model.empty())
-    model = wrapped(fmt::format("thread loads {}, {}", state_of_loads(result), model.substr(0, model.size() - 1)), "",
+    model = wrapped(fmt::format("{}; thread loads {}", model.substr(0, model.size() - 1), state_of_loads(result)), "",
                     kTableWidth);
   const std::string table = model + case_table({kColumns, 3, not_converged, "load_cases.csv"}, result.load_cases);
   return table + warning_section(all_warnings(result));

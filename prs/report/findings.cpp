@@ -1,6 +1,7 @@
 #include "prs/report/findings.h"
 
 #include <fmt/chrono.h>
+#include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <ctime>
@@ -142,12 +143,16 @@ std::string place_of(const Findings& all, const Criterion& c) {
   return where;
 }
 
-std::string card_html(const Findings& all, const Criterion& c, std::string_view key) {
+/// `at least 20000 h`.
+std::string limit_html(const Criterion& c) {
   const auto [unit, factor] = card_unit(c);
+  return fmt::format("{} {}{}{}", c.sense == Sense::least ? "at least" : "at most",
+                     report_number(*c.limit * factor, unit), unit.empty() ? "" : " ", html(unit));
+}
+
+std::string card_html(const Findings& all, const Criterion& c, std::string_view key) {
   std::string below;
-  if (c.limit)
-    below += fmt::format("<div class=\"where\">{} {}{}{}, {}</div>", c.sense == Sense::least ? "at least" : "at most",
-                         report_number(*c.limit * factor, unit), unit.empty() ? "" : " ", html(unit), html(origin(c)));
+  if (c.limit) below += fmt::format("<div class=\"where\">{}, {}</div>", limit_html(c), html(origin(c)));
   std::string before;
   if (all.before)
     for (const Criterion& other : all.before->verdict.criteria)
@@ -165,53 +170,35 @@ std::string standing_html(const CaseVerdict& verdict) {
   return fmt::format("<span class=\"state {}\">{}</span>", name(verdict.standing()), prose_html(summary(verdict)));
 }
 
-std::string fact_html(std::string_view title, const std::string& value) {
-  return value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, value);
-}
-
-/// The loads, the duty and the limits that the case states.
+/// Loads, speed and limits that the case states.
 std::string requirement_html(const Findings& all) {
   constexpr std::size_t kMostLoads = 4;
-  std::string loads, limits;
-  if (const CommandAnswer* answer = all.most_complete()) {
-    const std::vector<LoadCaseResult>& cases = answer->delivery.result<Result>()->load_cases;
-    for (const LoadCaseResult& r : cases | std::views::take(kMostLoads)) {
-      const LoadCase& load = r.load_case;
-      loads += fmt::format("{}{}: {}", loads.empty() ? "" : "; ", load.name,
-                           significant_with_unit(std::abs(load.axial_force), "kN", 4));
-      if (load.direction) loads += fmt::format(" {}", name(*load.direction));
-      if (load.speed) loads += fmt::format(", {}", significant_with_unit(load.speed, "rpm", 4));
-    }
-    if (cases.size() > kMostLoads) loads += fmt::format("; {} more in the report", cases.size() - kMostLoads);
-  }
-  std::string life;
-  if (const CommandAnswer* answer = all.answer(Command::life)) {
-    const Json& of = under(under(answer->document, "life"), "loads");
-    const auto force = [&](const char* key) {
-      return significant_with_unit(under(of, key).is_number() ? std::optional(of[key].get<double>()) : std::nullopt,
-                                   "N", 4);
-    };
-    life = fmt::format("{}: mean load {}, largest force {}; reliability {}",
-                       input_value(all, "life.history.file").empty() ? "spectrum" : "history", force("mean_load_N"),
-                       force("largest_force_N"), input_value(all, "life.reliability"));
+  std::vector<std::string> loads, limits;
+  if (const CommandAnswer* answer = all.most_complete())
+    for (const LoadCaseResult& r : answer->delivery.result<Result>()->load_cases)
+      loads.push_back(fmt::format("{}: {} {}", case_name_cell(r),
+                                  significant_with_unit(r.load_case.axial_force, "kN", 4), direction_cell(r)));
+  if (loads.size() > kMostLoads) {
+    const std::size_t more = loads.size() - kMostLoads;
+    loads.resize(kMostLoads);
+    loads.push_back(fmt::format("{} more in the report", more));
   }
   for (const Criterion& c : all.verdict.criteria)
-    if (c.limit && c.source == LimitSource::stated) {
-      const auto [unit, factor] = card_unit(c);
-      limits += fmt::format("{}{} {} {}{}{}", limits.empty() ? "" : "; ", html(c.title),
-                            c.sense == Sense::least ? "at least" : "at most", report_number(*c.limit * factor, unit),
-                            unit.empty() ? "" : " ", html(unit));
-    }
-  return "<dl class=\"facts\">\n" + fact_html("Loads", html(loads)) +
-         fact_html("Speed", prose_html(input_value(all, "operation.speed"))) +
-         fact_html("Loads of the life", prose_html(life)) +
-         fact_html("Limits", limits.empty() ? "none stated: recommended values and physical limits" : limits) +
-         "</dl>\n";
+    if (c.limit && c.source == LimitSource::stated)
+      limits.push_back(fmt::format("{} {}", html(c.title), limit_html(c)));
+  if (limits.empty()) limits.push_back("none stated: recommended values and physical limits");
+  const auto fact = [](const char* title, const std::string& value) {
+    return value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, value);
+  };
+  return "<dl class=\"facts\">\n" + fact("Loads", html(fmt::format("{}", fmt::join(loads, "; ")))) +
+         fact("Loads of the life", prose_html(input_value(all, "life.history.file"))) +
+         fact("Speed", prose_html(input_value(all, "operation.speed"))) +
+         fact("Limits", fmt::format("{}", fmt::join(limits, "; "))) + "</dl>\n";
 }
 
-/// What the numbers rest on: warnings, then assumptions, as many as fit, and how many inputs are assumed.
+/// Warnings, then assumptions, as many as fit on the sheet, and how many inputs are assumed.
 std::string foundations_html(const Findings& all) {
-  constexpr std::size_t kMost = 6, kLetters = 1200;
+  constexpr std::size_t kMost = 6, kLetters = 900;
   std::vector<std::string> lines;
   for (const bool assumptions : {false, true})
     for (const WarningGroup& group : grouped(selected(all.warnings, assumptions))) lines.push_back(group.text());
@@ -225,7 +212,7 @@ std::string foundations_html(const Findings& all) {
   });
   if (assumed > 0)
     text += fmt::format("<li>{} inputs are assumed by rule: the report lists each with its reason</li>\n", assumed);
-  return shown == 0 && assumed == 0 && lines.empty() ? "<p>None beyond the stated inputs.</p>\n" : text + "</ul>\n";
+  return assumed == 0 && lines.empty() ? "<p>None.</p>\n" : text + "</ul>\n";
 }
 
 }  // namespace

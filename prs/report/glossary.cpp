@@ -1,5 +1,6 @@
 #include <cctype>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "prs/report/findings.h"
@@ -14,48 +15,22 @@ namespace {
 
 struct Term {
   std::vector<std::string> words;  ///< Words in one row: `lead`, `pitch`, `starts`.
-  std::string meaning;             ///< Markdown without links.
+  std::string meaning;
 };
 
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
-/// Parts between separators, without the spaces around them.
-std::vector<std::string_view> parts_of(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(trimmed(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-/// The text without links to other documents, which a page does not have.
-std::string without_links(std::string_view text) {
-  std::string plain;
-  for (std::size_t at = text.find("]("); at != text.npos; at = text.find("](")) {
-    const std::size_t open = text.rfind('[', at), end = text.find(')', at);
-    const std::string_view name = text.substr(open + 1, at - open - 1);
-    plain += text.substr(0, open);
-    if (!name.ends_with(".md")) plain += name;
-    text.remove_prefix(end + 1);
-  }
-  return std::string(trimmed(plain += text));
-}
-
-/// Rows of the tables of docs/glossary.md.
+/// Rows of the tables of docs/glossary.md; links to other documents, which a page does not have, are left out.
 const std::vector<Term>& general_terms() {
   static const std::vector<Term> all = [] {
+    static const std::regex kRow(R"(\n\| (?!word |---)([^|\n]*) \| ([^|\n]*) \|)"), kComma(", "),
+        kLink(R"( ?\[[^\]]*\.md\]\([^)]*\))"), kNamedLink(R"(\[([^\]]*)\]\([^)]*\))");
+    const std::string text(glossary_text());
     std::vector<Term> terms;
-    for (const std::string_view line : parts_of(glossary_text(), '\n')) {
-      const std::vector<std::string_view> cells = parts_of(line, '|');
-      if (cells.size() != 4 || cells[1] == "word" || cells[1].starts_with("---")) continue;
-      Term& term = terms.emplace_back(Term{{}, without_links(cells[2])});
-      for (const std::string_view word : parts_of(cells[1], ',')) term.words.push_back(capitalised(std::string(word)));
+    for (std::sregex_iterator row(text.begin(), text.end(), kRow), end; row != end; ++row) {
+      const std::string words = (*row)[1];
+      Term& term = terms.emplace_back();
+      term.meaning = std::regex_replace(std::regex_replace((*row)[2].str(), kLink, ""), kNamedLink, "$1");
+      for (std::sregex_token_iterator word(words.begin(), words.end(), kComma, -1), last; word != last; ++word)
+        term.words.push_back(capitalised(*word));
     }
     return terms;
   }();

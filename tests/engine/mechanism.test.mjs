@@ -6,7 +6,7 @@ import {
   azimuth, contactPlace, dimensions, nutLine, nutSection, revolvedMesh, rollerLines, rollerTurn, screwLines, screwTooth,
   threadAt, threadMesh, toothProfile,
 } from '../../web/src/mechanism/geometry.js';
-import {hasRollers, largest, temperatures, threadNumber} from '../../web/src/mechanism/numbers.js';
+import {hasRollers, largest, stateOf, temperatures, threadNumber} from '../../web/src/mechanism/numbers.js';
 import {factorOf, split} from '../../web/src/page/quantity.js';
 import {loadEngine, questionOn, run} from './engine.mjs';
 
@@ -156,5 +156,8 @@ test('numbers are the document\'s', () => {
   const sector = documentOf('slip', '30_duty_cycle.yaml');
   assert.equal(threadNumber(sector.load_cases[0], 'screw', 'peak_pressure_MPa', 8, 3), sector.load_cases[0].screw.peak_pressure_MPa[3]);
   assert.deepEqual(temperatures(sector, sector.load_cases[0]), sector.load_cases[0].heat.temperature_degC);
+  assert.equal(stateOf(sector.load_cases[0]), 'running');
+  assert.equal(stateOf(tilted), 'at rest');
+  assert.equal(stateOf(undefined), '');
   assert.equal(threadNumber(undefined, 'screw', 'normal_load_N', 0, 0), null);
 });

@@ -69,7 +69,7 @@ TEST_F(CommandLine, TheModelOfTheBodiesIsNamed) {
       R"(`model: {bodies: refined}`"})");
   EXPECT_NE(prs("solve configs/01_config_1_to_3.yaml")
                 .out.find("bodies: bars: 17 to 32 % stiffer than finite elements on an inverted 21 "
-                          "x 5 mm screw; nearer:\n`model: {bodies: refined}`\n"),
+                          "x 5 mm screw; nearer:\n`model: {bodies: refined}`; thread loads at rest\n"),
             std::string::npos);
   EXPECT_EQ(model("--set model.refined.hoop=false"),
             R"({"bodies":"refined","effects_off":["hoop"],"roller_contacts":"opposite"})");

@@ -116,8 +116,8 @@ TEST(Export, WrongInputIsToldAndNothingIsWritten) {
            {screw + " --fmu --force '0 N'", {"--force: got 0 N", "more than 0 N"}},
            {screw + " --fmu --speed '-3 rpm'", {"--speed: got -3 rpm", "more than 0 rpm"}},
            {screw + " --fmu --load-case push", {"none called `push`", "expected one of"}},
-           {lessons + "28_driving_load.yaml --fmu", {"load_cases: got equal shares in each"}},
-           {lessons + "08_design_by_backlash.yaml --fmu", {"load_cases: got equal shares in each"}}}) {
+           {lessons + "28_driving_load.yaml --fmu", {"load_cases: got equal thread loads in each"}},
+           {lessons + "08_design_by_backlash.yaml --fmu", {"load_cases: got equal thread loads in each"}}}) {
     const Outcome run = run_prs("export " + arguments, folder.path());
     EXPECT_EQ(run.status, 2) << arguments << run.err;
     for (const std::string& word : words) EXPECT_THAT(run.err, HasSubstr(word)) << arguments;

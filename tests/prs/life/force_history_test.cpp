@@ -120,7 +120,7 @@ TEST(ForceHistory, ReadsDecimalCommas) {
 
 TEST(ForceHistory, RefusesAColumnThatStandsTwice) {
   EXPECT_THAT(error_of("t,load,n,load\n0,1,2,3\n"),
-              HasSubstr("life.history.force.column: got load, which stands twice"));
+              HasSubstr("life.history.force.column: got load, which occurs twice"));
 }
 
 TEST(ForceHistory, RefusesTimeThatRunsBackwards) {

@@ -67,7 +67,7 @@ TEST(SlipFigures, ThreadPowersStandBesideTheLevelOfEqualShares) {
   ASSERT_EQ(panel.references.size(), 1);
   EXPECT_DOUBLE_EQ(panel.references[0].at, full.equal_shares->thread_power.screw);
   EXPECT_DOUBLE_EQ(panel.series.at(0).parts[0][3][1], full.threads.screw.power[3]);
-  EXPECT_EQ(figure->legend.back().title, "every thread with equal shares");
+  EXPECT_EQ(figure->legend.back().title, "every thread with equal thread loads");
 }
 
 TEST(SlipFigures, ThreadPowersWithoutEqualSharesHaveNoLevel) {

@@ -230,11 +230,12 @@ TEST(Report, StiffnessTermsThatDoNotAddUpFold) {
   const std::string page = make_report(lesson_source("18_design_measures.yaml"), {.live = false}).html;
   const std::string open = between(page, "<section id=\"measures\"", "<details>");
   EXPECT_THAT(open, Not(HasSubstr("stiffness_terms")));
-  EXPECT_THAT(page, HasSubstr("<figcaption>Stiffness terms: contacts with equal shares"));
+  EXPECT_THAT(page, HasSubstr("<figcaption>Stiffness terms: contacts with equal thread loads"));
 }
 
 TEST(Report, HasWordsForTexts) {
-  EXPECT_EQ(report_value("flank_edge", {}), "flank&#39;s edge");
+  EXPECT_EQ(report_value("flank_edge", {}), "edge loading");
+  EXPECT_EQ(report_value("static", {}), "at rest");
   EXPECT_EQ(report_value("lemor", {}), "Lemor&#39;s formula");
   EXPECT_EQ(report_value("iteration_limit", {}), "iteration limit");
 }

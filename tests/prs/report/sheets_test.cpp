@@ -58,9 +58,76 @@ TEST(Sheets, GoFromTheAnswerToTheNumbers) {
   std::vector<std::string> ids;
   for (const ReportSection& section : report_parts(input::load_source(kLesson, {}), {}).sections)
     ids.push_back(section.id);
-  EXPECT_THAT(ids, ElementsAre("verdict", "warnings", "mechanism", "inputs", "loads", "pressures", "stiffness", "life",
-                               "slip", "preload", "measures", "response", "fit", "references", "models", "contacts",
-                               "studies", "data", "provenance"));
+  EXPECT_THAT(ids, ElementsAre("summary", "verdict", "warnings", "mechanism", "inputs", "loads", "pressures",
+                               "stiffness", "life", "slip", "preload", "measures", "response", "fit", "references",
+                               "models", "contacts", "studies", "data", "provenance", "glossary"));
+}
+
+TEST(Summary, IsOneSheetToSign) {
+  const std::string page = make_report(with_block("limits: {static_safety: 2}\nreport: {title: Press, author: Jane}"),
+                                       {.live = false, .summary = true})
+                               .html;
+  EXPECT_THAT(page, AllOf(HasSubstr("class=\"page is-summary\""), HasSubstr("<h3>Requirement</h3>"),
+                          HasSubstr("Static safety at least 2"), HasSubstr("data-figure=\"section\""),
+                          HasSubstr("<th scope=\"row\">Prepared</th><td>Jane</td>"), HasSubstr(">Approved<"),
+                          Not(HasSubstr("id=\"loads\""))));
+  EXPECT_EQ(count_of(page, "<div class=\"value\">"), 5u);
+  EXPECT_THAT(make_report(with_block(""), {.live = false}).html, HasSubstr("<section id=\"summary\""));
+}
+
+TEST(Summary, IsOfACase) {
+  EXPECT_THROW(
+      make_report(input::load_source(PRS_SOURCE_DIR "/configs/32_press.yaml", {}), {.live = false, .summary = true}),
+      input::InputError);
+}
+
+TEST(Glossary, HasEachWordThatTheNumbersLeadTo) {
+  for (const char* lesson : {"05_standard_screw.yaml", "24_misalignment.yaml", "30_duty_cycle.yaml", "32_press.yaml"}) {
+    const std::string page =
+        make_report(input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {}), {.live = false}).html;
+    const std::string link = "href=\"#term-";
+    std::size_t links = 0;
+    for (std::size_t at = page.find(link); at != page.npos; at = page.find(link, at + 1), ++links) {
+      const std::size_t begin = at + link.size() - 5;
+      const std::string id = page.substr(begin, page.find('"', begin) - begin);
+      EXPECT_THAT(page, HasSubstr("<dt id=\"" + id + "\">")) << lesson;
+    }
+    EXPECT_GT(links, 20u) << lesson;
+  }
+}
+
+TEST(Prose, HasTheSignsOfPrint) {
+  EXPECT_EQ(prose_html("2 um at 80 degC, 7850 kg/m^3, 30 mm^2/s, 10^-4, N/mm^1.5; run `prs check --set x='2 um'`"),
+            "2 µm at 80 °C, 7850 kg/m³, 30 mm²/s, 10<sup>-4</sup>, N/mm<sup>1.5</sup>; run <code>prs check --set "
+            "x=&#39;2 um&#39;</code>");
+  EXPECT_EQ(prose_html("aluminum <b> column"), "aluminum &lt;b&gt; column");
+  EXPECT_EQ(breakable_html("load_cases[0].name"), "load_<wbr>cases<wbr>[0].<wbr>name");
+}
+
+/// Units as a keyboard has them, and backquotes, stand nowhere but in code.
+TEST(Sheets, AreSetAsPrint) {
+  for (const char* lesson : {"30_duty_cycle.yaml", "37_bench.yaml"}) {
+    std::string page =
+        make_report(input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {}), {.live = false}).html;
+    page = page.substr(page.find("<body>"), page.find("id=\"data\"") - page.find("<body>"));
+    for (const auto& [from, to] :
+         {std::pair{"<code>", "</"}, {"<span class=\"mono\">", "</"}, {" title=\"", "\">"}, {"href=\"data:", "\">"}})
+      for (std::size_t at = page.find(from); at != page.npos; at = page.find(from, at))
+        page.erase(at, page.find(to, at) - at);
+    for (const char* letters : {"`", " um<", " um,", "degC", "kg/m^3"})
+      EXPECT_THAT(page, Not(HasSubstr(letters))) << lesson;
+  }
+}
+
+TEST(Sheets, SayWhetherLoadsAreThoseAtRestOrRunning) {
+  const std::string page =
+      make_report(input::load_source(PRS_SOURCE_DIR "/configs/31_running_screw.yaml", {}), {.live = false}).html;
+  for (const char* picture : {"load_distribution", "peak_pressure", "ellipses", "section"}) {
+    const std::size_t at = page.find(std::string("data-figure=\"") + picture);
+    ASSERT_NE(at, page.npos) << picture;
+    EXPECT_THAT(page.substr(at, page.find("</figcaption>", at) - at), HasSubstr("at rest")) << picture;
+  }
+  EXPECT_THAT(page, HasSubstr("those of thread loads running"));
 }
 
 TEST(Sheets, FoldWhatOnlySomeAskFor) {

@@ -170,7 +170,7 @@ TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
   }
   const input::Source full =
       input::load_source(source.name, {"model.mechanism=full", "load_cases[0].axial_force=300 kN"});
-  EXPECT_THAT(warned(full, Command::check), Contains(HasSubstr("GPa, even with equal shares")));
+  EXPECT_THAT(warned(full, Command::check), Contains(HasSubstr("GPa, even with equal thread loads")));
 }
 
 /// One cause, one warning: an unusual load has no second warning about its pressure.
@@ -213,7 +213,8 @@ TEST(Slip, SaysWhichLoadsTakeNothingOfThePreload) {
   const Json cases =
       run(analysis_of(Command::slip), source).document(document_info(source, Command::slip))["load_cases"];
   EXPECT_EQ(cases[0]["warnings"].dump().find("external load alone"), std::string::npos);
-  EXPECT_THAT(cases[1]["warnings"].dump(), HasSubstr("preload: equal shares are those of the external load alone"));
+  EXPECT_THAT(cases[1]["warnings"].dump(),
+              HasSubstr("preload: equal thread loads are those of the external load alone"));
 }
 
 /// Warnings on single values are first in every command's document.

@@ -231,13 +231,31 @@ TEST(Verdict, WhatCannotBeComputedIsNeverMet) {
 /// The check makes no matrices; it reports equal shares that the case states.
 TEST(Verdict, SaysWhereThreadLoadsAreNotSolved) {
   const Json equal = criterion(verdict("07_contact_geometry.yaml"), "static_safety");
-  EXPECT_THAT(equal["reason"].get<std::string>(), testing::StartsWith("equal shares, "));
+  EXPECT_THAT(equal["reason"].get<std::string>(), testing::StartsWith("equal thread loads, "));
   const Json influence = criterion(verdict(kAbevi, {"model.bodies=influence"}), "static_safety");
   EXPECT_EQ(influence["state"], "not_computed");
   EXPECT_THAT(influence["reason"].get<std::string>(), HasSubstr("influence"));
 }
 
 /// Between the physical and the recommended limit.
+TEST(Verdict, EachLoadIsThatAtRestOrRunning) {
+  const Json v = verdict("31_running_screw.yaml");
+  const auto reason = [&](const char* name) { return criterion(v, name)["reason"].get<std::string>(); };
+  const auto largest = [](Command command) {
+    double most = 0.0;
+    for (const Json& load_case : document(command, "31_running_screw.yaml")["load_cases"])
+      for (const char* side : {"screw", "nut"})
+        for (const Json& pressure : load_case[side]["peak_pressure_MPa"]) most = std::max(most, pressure.get<double>());
+    return most;
+  };
+  EXPECT_GT(largest(Command::slip), largest(Command::solve));
+  EXPECT_NEAR(criterion(v, "peak_pressure")["value"].get<double>(), largest(Command::slip),
+              1e-8 * largest(Command::slip));
+  EXPECT_THAT(reason("peak_pressure"), testing::EndsWith(", running"));
+  EXPECT_THAT(reason("static_safety"), HasSubstr("at rest"));
+  EXPECT_THAT(reason("stiffness"), HasSubstr("at rest"));
+}
+
 TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
   const double force = 30.0;  // [kN]
   const double safety = criterion(verdict(kMeasured), "static_safety")["value"];

@@ -412,7 +412,7 @@ TEST(StudyReader, DerivativesNameNumbersOfTheFile) {
               HasSubstr("got mechanism.rollers; expected the path of a number that may have any "
                         "value between two; leave this factor out"));
   EXPECT_THAT(error_of(source("mechanism.rolers")), HasSubstr("did you mean `rollers`?"));
-  EXPECT_THAT(error_of(source("operation.speed")), HasSubstr("of which the file says nothing"));
+  EXPECT_THAT(error_of(source("operation.speed")), HasSubstr("which the file does not state"));
 }
 
 TEST(StudyReader, RefusesAResponseTwice) {
@@ -463,7 +463,7 @@ TEST(StudyReader, RefusesWhatCannotBeDrawn) {
       {"path: mechanism.lead, normal: {deviation: 1 um, mean: wide}",
        "normal.mean: got wide; expected a number with its unit"},
       {"path: operation.speed, normal: {deviation: 1 rpm}",
-       "normal: missing `mean`; expected it where the file says nothing of operation.speed; add "
+       "normal: missing `mean`; expected it where the file does not state operation.speed; add "
        "for example `mean: 0 rpm`"},
       {"path: structure.screw.bore, normal: {deviation: 1 um, mean: -1 mm}", "structure.screw.bore: got -1 mm"},
       {"path: mechanism.rollers, uniform: {from: 8, to: 11}", "write the values that it may have, `values: [.., ..]`"},

@@ -1,6 +1,6 @@
 // The view with its controls, in an element of a page; see README.md.
 import { dimensions } from './geometry.js';
-import { hasRollers, largest, quantities, shown, sides, temperatures, threadNumber } from './numbers.js';
+import { hasRollers, largest, quantities, shown, sides, stateOf, temperatures, threadNumber } from './numbers.js';
 import { texts } from './texts.js';
 import { View } from './view.js';
 
@@ -117,7 +117,7 @@ export function mount(element, { document: first, loadCase = 0, onThread = () =>
         parts: null,
       });
       low.textContent = quantity ? `0 ${quantity.unit}` : '';
-      high.textContent = quantity ? `${shown(most)} ${quantity.unit}` : '';
+      high.textContent = quantity ? [`${shown(most)} ${quantity.unit}`, stateOf(loadCase)].filter(Boolean).join(', ') : '';
     }
     legend.hidden = !colours.value;
     describe(loadCase, d);
@@ -131,7 +131,8 @@ export function mount(element, { document: first, loadCase = 0, onThread = () =>
     const most = largest(loadCase, quantity.key, d.rollers, d.contacts);
     const { type } = data.resolved_input.mechanism;
     const summary = texts.summary({
-      type: texts.types[type] ?? type, rollers: d.rollers - d.missing.size, contacts: d.contacts, loadCase: loadCase?.name,
+      type: texts.types[type] ?? type, rollers: d.rollers - d.missing.size, contacts: d.contacts,
+      loadCase: [loadCase?.name, stateOf(loadCase)].filter(Boolean).join(', '),
     });
     const side = most && `${texts[quantity === quantities.load ? 'load' : 'pressure']} ${most.side === 'nut' ? texts.atNut : texts.atScrew}`;
     canvas.setAttribute('aria-label', `${texts.title}. ${summary}${most ? ` ${texts.largest({ side, place: placeText(most), value: `${shown(most.value)} ${quantity.unit}` })}` : ''}`);
@@ -149,7 +150,8 @@ export function mount(element, { document: first, loadCase = 0, onThread = () =>
       return text && `${side === 'nut' ? texts.atNut : texts.atScrew} ${text}`;
     });
     const place = placeText(chosen);
-    told.append(make('strong', { textContent: `${place[0].toUpperCase()}${place.slice(1)}` }), `: ${words.filter(Boolean).join('; ')}. `);
+    const title = [`${place[0].toUpperCase()}${place.slice(1)}`, stateOf(loadCase)].filter(Boolean).join(', ');
+    told.append(make('strong', { textContent: title }), `: ${words.filter(Boolean).join('; ')}. `);
     if (link) told.append(make('a', { href: link, textContent: texts.allNumbers }));
   }
 

@@ -17,6 +17,9 @@ export function threadNumber(loadCase, side, key, roller, thread) {
 /** Whether each roller has numbers of its own. */
 export const hasRollers = (loadCase) => Array.isArray(loadCase?.screw?.normal_load_N?.[0]);
 
+/** Whether the loads are those of the screw at rest or running; nothing where no model has solved them. */
+export const stateOf = (loadCase) => ({ static: 'at rest', running: 'running' })[loadCase?.loads] ?? '';
+
 /** Temperatures of screw, rollers and nut: of the cycle that repeats itself, else of the load case. */
 export function temperatures(document, loadCase) {
   return loadCase?.heat?.temperature_degC ?? document.heat_cycle?.peak_degC ?? null;

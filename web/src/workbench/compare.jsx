@@ -1,7 +1,7 @@
 // Variants side by side: numbers with their differences, inputs that differ, curves together.
 import { useEffect } from 'preact/hooks';
 import { Chart } from './chart.jsx';
-import { headlinesOf } from './headlines.js';
+import { headlinesOf, stateOfLoads } from './headlines.js';
 import { LoadCaseChoice } from './results.jsx';
 import { refreshAll, state } from './store.js';
 import { t } from './texts.js';
@@ -80,7 +80,7 @@ export function Curves() {
           const values = threadsOf(cases[Math.min(state.loadCase, cases.length - 1)]?.[side]?.[key]);
           return { name: v.name, points: values.map((value, k) => [k + 1, how.convert(value)]) };
         });
-        return <Chart key={name} title={t(name)} x={t('thread')} y={`${t(y)} (${how.unit})`} series={series} />;
+        return <Chart key={name} title={`${t(name)}${stateOfLoads(state.variants[0])}`} x={t('thread')} y={`${t(y)} (${how.unit})`} series={series} />;
       })}
     </div>
   );

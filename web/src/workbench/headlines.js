@@ -54,6 +54,18 @@ export function responseIn(document, path, loadCase) {
 
 export const responseInfo = (path) => listed.get(path) ?? { path, unit: '', title: path };
 
+const words = { static: ', at rest', running: ', running' };
+
+/** Whether a number of thread loads is that of the screw at rest or running: `, at rest`. */
+function stateOf(command, path, document, loadCase) {
+  if (/static_safety$/.test(path)) return words.static;
+  if (command === 'life') return words[document.life?.thread_loads] ?? '';
+  return command === 'solve' ? words[document.load_cases?.[loadCase]?.loads] ?? '' : '';
+}
+
+/** The same of the loads that pictures over the threads show. */
+export const stateOfLoads = ({ documents }) => (documents.solve ? stateOf('solve', '', documents.solve, state.loadCase) : '');
+
 /** [{path, value, unit, title, whole}] of a variant, for the load case that is chosen. */
 export function headlinesOf(variant, loadCase = state.loadCase) {
   const found = [];
@@ -61,7 +73,9 @@ export function headlinesOf(variant, loadCase = state.loadCase) {
     for (const [command, path] of rows) {
       const document = variant.documents[command] ?? (command === 'solve' ? variant.documents.contact : undefined);
       const value = responseIn(document, path, loadCase);
-      if (value !== undefined) found.push({ ...responseInfo(path), path, value, whole });
+      if (value === undefined) continue;
+      const info = responseInfo(path);
+      found.push({ ...info, title: `${info.title}${stateOf(command, path, document, loadCase)}`, path, value, whole });
     }
   };
   add(ofLoadCase, false);

@@ -2,7 +2,7 @@
 import { h, render } from 'preact';
 import { App, saveCase } from './app.jsx';
 import {
-  addVariant, ask, current, onChange, open, page, redo, set, setUnits, state, undo, warm,
+  addVariant, ask, changed, current, onChange, open, page, redo, set, setUnits, state, toggleSection, undo, warm,
 } from './store.js';
 import { takeFiles } from './start.jsx';
 import { studiesOf } from './studies.jsx';
@@ -55,6 +55,16 @@ document.addEventListener('drop', (event) => {
   if (!event.dataTransfer?.files.length) return;
   event.preventDefault();
   takeFiles([...event.dataTransfer.files]);
+});
+
+// A word leads to its meaning, in a section that may be closed.
+document.addEventListener('click', async (event) => {
+  const id = event.target.closest?.('a.term')?.getAttribute('href').slice(1);
+  if (!id) return;
+  event.preventDefault();
+  await toggleSection('glossary', true);
+  changed();
+  requestAnimationFrame(() => document.getElementById(id)?.scrollIntoView());
 });
 
 draw();

@@ -4,7 +4,7 @@ import { Mechanism } from './mechanism.jsx';
 import { headlinesOf, loadCaseNames } from './headlines.js';
 import { changed, current, page, state, toggleSection } from './store.js';
 import { t } from './texts.js';
-import { number, quantity, shownIn } from './units.js';
+import { number, prose, quantity, shownIn } from './units.js';
 
 const capital = (text) => text.replace(/^./, (c) => c.toUpperCase());
 
@@ -53,15 +53,13 @@ export function Headlines() {
   );
 }
 
-const unitShown = (unit) => unit.replace('um', 'µm');
-
 export function Verdict() {
   const verdict = current().documents.check?.verdict;
   if (!verdict) return null;
   const told = { green: 'verdictGreen', amber: 'verdictAmber', red: 'verdictRed' }[verdict.state] ?? 'verdictOpen';
   const show = (c, value) => {
     if (value === undefined) return '–';
-    const how = shownIn(c.name, unitShown(c.unit), state.units);
+    const how = shownIn(c.name, prose(c.unit), state.units);
     return `${number(how.convert(value), how.unit)} ${how.unit}`.trim();
   };
   return (
@@ -78,7 +76,7 @@ export function Verdict() {
                 <td>{show(c, c.value)}</td>
                 <td>{c.limit === undefined ? '' : `${t(c.sense === 'least' ? 'atLeast' : 'atMost', show(c, c.limit))}, ${t(`source.${c.limit_source}`)}`}</td>
                 <td><span class={`state ${c.state}`}>{t(`state.${c.state}`)}</span></td>
-                <td>{[c.load_case, c.reason].filter(Boolean).join(': ')}</td>
+                <td>{prose([c.load_case, c.reason].filter(Boolean).join(': '))}</td>
               </tr>
             ))}
           </tbody>

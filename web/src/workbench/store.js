@@ -349,7 +349,7 @@ export function toggleSection(id, isOpen) {
   if (state.open.has(id) === isOpen) return;
   if (isOpen) state.open.add(id);
   else state.open.delete(id);
-  if (isOpen && !(id in (current()?.sections ?? {}))) askSections(current(), refreshing);
+  if (isOpen && !(id in (current()?.sections ?? {}))) return askSections(current(), refreshing);
 }
 
 /** Every section of the report, as HTML by their names: {sections, head}. */

@@ -22,6 +22,10 @@ export function shownIn(path, unit, system, largest = Infinity) {
   return { unit, convert: (x) => x };
 }
 
+/** A sentence of the engine with the signs of print: `2 µm`, `80 °C`, `kg/m³`, and without backquotes. */
+export const prose = (text) =>
+  text.replace(/\bum\b/g, 'µm').replace(/\bdeg([CF])\b/g, '°$1').replace(/([a-z)])\^([23])(?![\d.])/gi, (_, unit, n) => unit + '⁰¹²³'[n]).replaceAll('`', '');
+
 const superscript = (n) => [...String(n)].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('');
 
 /** With an engineer's digits, never with a separator of thousands. */
