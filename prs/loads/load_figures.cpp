@@ -247,7 +247,7 @@ std::size_t thread_count(const LoadedConfiguration& sweep) {
 Panel butterfly_panel(const LoadedConfiguration& sweep, Interface i) {
   Panel panel{fmt::format("{}, {}", interface_title(i), sweep.name)};
   const std::size_t count = thread_count(sweep);
-  for (const auto role : up_to(std::size(kThreadRoles))) {
+  for (const auto role : indices(kThreadRoles)) {
     Series series{role};
     for (const auto k : up_to(count))
       if (kThreadRoles[role].holds(k, count))
@@ -391,7 +391,7 @@ Figure ellipses(const Result&, const LoadCaseResult& shown) {
   Series series{figure.add(area_of(Colour::sky))};
   figure.y = {""};
   double lowest = 0.0;
-  for (const auto k : up_to(std::size(kInterfaces))) {
+  for (const auto k : indices(kInterfaces)) {
     const InterfaceLoads& loads = (*shown.threads)[kInterfaces[k]];
     const double top = -static_cast<double>(k * rows) * height - 0.3 * height * static_cast<double>(k);
     for (const auto t : up_to(threads)) {

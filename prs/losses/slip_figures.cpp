@@ -37,10 +37,10 @@ Figure thread_power(const Result& result, const FigureOptions& options) {
 Figure friction(const Result&, const LoadCaseResult& shown) {
   Figure figure{"friction", "Friction and sliding of each thread, " + shown_name(shown.load_case.name)};
   figure.columns = 2;
-  for (const auto k : up_to(std::size(kInterfaces))) figure.add(interface_title(kInterfaces[k]), marked_line(k));
+  for (const auto k : indices(kInterfaces)) figure.add(interface_title(kInterfaces[k]), marked_line(k));
   const auto add = [&](const char* title, const char* unit, auto values, double factor) {
     Panel& panel = figure.panels.emplace_back(Panel{title});
-    for (const auto k : up_to(std::size(kInterfaces)))
+    for (const auto k : indices(kInterfaces))
       panel.series.push_back({k, {over_threads(shown.slip->threads[kInterfaces[k]].*values, factor)}});
     panel.y = fitted({title, unit}, range_of_y(panel.series), true);
   };
@@ -255,7 +255,7 @@ Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double 
 Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipResult& slip, const SlipAxis& shown,
                     double margin) {
   Panel panel{std::move(title)};
-  for (const auto k : up_to(std::size(kCurves))) panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
+  for (const auto k : indices(kCurves)) panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
   panel.references = {
       {kZero, 0.0}, {kIdeal, shown(slip.ideal_slip_ratio), true}, {kRoot, shown(slip.slip_ratio), true}};
   panel.x = slip_ratio_axis(residue, shown, margin);
@@ -455,7 +455,7 @@ Figure power_bars(std::vector<const LoadCaseResult*> cases) {
   figure.y = {"Power lost", "W", 0.0};
   figure.x = {"", "", 0.4, std::max(static_cast<double>(cases.size()) + 0.6, 2.6)};
   Panel& panel = figure.panels.emplace_back();
-  for (const auto k : up_to(std::size(kPowerSources))) {
+  for (const auto k : indices(kPowerSources)) {
     Series bars;
     for (const auto c : indices(cases)) {
       const SlipResult& slip = *cases[c]->slip;
@@ -484,7 +484,7 @@ Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis, co
   figure.panels.resize(2);
   Panel& power = figure.panels[0];
   power.title = "Power lost";
-  for (const auto k : up_to(std::size(kPowerSources))) {
+  for (const auto k : indices(kPowerSources)) {
     if (!has_power(runs, kPowerSources[k])) continue;
     const std::size_t style = figure.add(std::string(kPowerSources[k].title), area_of(kSourceColours[k]));
     power.series.push_back(series_of(style, runs, [&](const auto& r) { return area(r, k, factor); }));

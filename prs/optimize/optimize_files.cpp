@@ -21,16 +21,8 @@ struct DesignAt {
   bool is_feasible() const { return design->is_feasible(); }
 };
 
-struct ConstraintOf {
-  const DesignAt* of = nullptr;
-  const Constraint* constraint = nullptr;
-};
-
-struct SearchOf {
-  const OptimizationResult* result = nullptr;
-  const Search* search = nullptr;
-  std::size_t first = 0;
-};
+using ConstraintOf = Within<DesignAt, Constraint>;
+using SearchOf = Within<OptimizationResult, Search>;
 
 struct Best {
   const OptimizationResult* result = nullptr;
@@ -115,16 +107,14 @@ constexpr Quantity<DesignAt> kDesignRows[] = {
 };
 
 constexpr Quantity<ConstraintOf> kConstraintRows[] = {
-    {"name", always<[](auto& c) { return c.constraint->name; }>},
-    {"constraint", always<[](auto& c) { return constraint_text(*c.of->result, *c.constraint); }>},
-    {"value", of<[](auto& c) { return c.of->design->responses[c.constraint->response]; }>},
-    {"limit", of<[](auto& c) { return limit_of(*c.constraint, *c.of->design, c.of->result->initial); }>},
-    {"satisfied", always<[](auto& c) { return keeps(*c.constraint, *c.of->design, c.of->result->initial); }>},
+    {"name", always<its<&Constraint::name>>},
+    {"constraint", always<[](auto& c) { return constraint_text(*c.whole->result, *c.item); }>},
+    {"value", of<[](auto& c) { return c.whole->design->responses[c.item->response]; }>},
+    {"limit", of<[](auto& c) { return limit_of(*c.item, *c.whole->design, c.whole->result->initial); }>},
+    {"satisfied", always<[](auto& c) { return keeps(*c.item, *c.whole->design, c.whole->result->initial); }>},
 };
 
-constexpr auto constraints_of = [](const DesignAt& d) {
-  return each(d.result->optimization.constraints, [&](const Constraint& c) { return ConstraintOf{&d, &c}; });
-};
+constexpr auto constraints_of = [](const DesignAt& d) { return within(d, d.result->optimization.constraints); };
 
 constexpr Quantity<DesignAt> kInitialRows[] = {
     {"", always_table<kDesignRows>},
@@ -153,14 +143,15 @@ constexpr Quantity<DesignAt> kChosenRows[] = {
 };
 
 constexpr Quantity<SearchOf> kSearchRows[] = {
-    {"algorithm", always<[](auto& s) { return s.search->algorithm; }>},
-    {"designs", always<[](auto& s) { return count(*s.search).designs; }>},
-    {"feasible", always<[](auto& s) { return count(*s.search).feasible; }>},
-    {"without_answer", always<[](auto& s) { return count(*s.search).without_answer; }>},
+    {"algorithm", always<its<&Search::algorithm>>},
+    {"designs", always<[](auto& s) { return count(*s.item).designs; }>},
+    {"feasible", always<[](auto& s) { return count(*s.item).feasible; }>},
+    {"without_answer", always<[](auto& s) { return count(*s.item).without_answer; }>},
     {"front", always_table<kNumberedRows,
                            [](auto& s) {
-                             return each(s.search->front, [&](std::size_t k) {
-                               return DesignAt{s.result, &s.search->designs[k], s.first + k};
+                             const std::size_t first = s.item == &s.whole->search ? 0 : s.whole->search.designs.size();
+                             return each(s.item->front, [&](std::size_t k) {
+                               return DesignAt{s.whole, &s.item->designs[k], first + k};
                              });
                            }>},
 };
@@ -203,11 +194,10 @@ constexpr Quantity<OptimizationResult> kResultRows[] = {
                             [](auto& r) {
                               return SearchOf{&r, &r.search};
                             }>},
-    {"check",
-     of_table<kSearchRows,
-              [](auto& r) {
-                return r.check ? std::optional(SearchOf{&r, &*r.check, r.search.designs.size()}) : std::nullopt;
-              }>},
+    {"check", of_table<kSearchRows,
+                       [](auto& r) {
+                         return r.check ? std::optional(SearchOf{&r, &*r.check}) : std::nullopt;
+                       }>},
     {"comparison", of_table<kComparisonRows, std::identity{}, [](auto& r) { return r.comparison.has_value(); }>},
 };
 

@@ -6,19 +6,12 @@
 namespace prs {
 namespace {
 
-struct SideOf {
-  const PreloadResult* result = nullptr;
-  const SideLoads* loads = nullptr;
-};
+using SideOf = Within<PreloadResult, SideLoads>;
+using CurveOf = Within<PreloadResult, PreloadCurve>;
 
 /// A fit at the temperatures of the parts.
 struct WarmOf {
   const PreloadResult* result = nullptr;
-};
-
-struct CurveOf {
-  const PreloadResult* result = nullptr;
-  const PreloadCurve* curve = nullptr;
 };
 
 }  // namespace
@@ -35,11 +28,11 @@ bool has_heat(const WarmOf& w) { return w.result->load_case.has_value(); }
 bool is_known(const WarmOf& w) { return w.result->heat_status == HeatStatus::converged && is_at_rest(*w.result); }
 
 constexpr Quantity<SideOf> kSide[] = {
-    {"axial_load_N", of<[](auto& s) { return s.loads->axial_load.screw; }>, "of all threads of this side"},
+    {"axial_load_N", of<[](auto& s) { return s.item->axial_load.screw; }>, "of all threads of this side"},
     {"max_normal_load_N",
-     of<[](auto& s) { return std::max(s.loads->max_normal_load.screw, s.loads->max_normal_load.nut); }>,
+     of<[](auto& s) { return std::max(s.item->max_normal_load.screw, s.item->max_normal_load.nut); }>,
      "of a thread of one roller"},
-    {"peak_pressure_MPa", of<[](auto& s) { return s.result->peak_pressure(*s.loads); }>, "largest of a thread",
+    {"peak_pressure_MPa", of<[](auto& s) { return s.whole->peak_pressure(*s.item); }>, "largest of a thread",
      source::kHertz},
 };
 
@@ -73,12 +66,12 @@ constexpr Quantity<PreloadPointOf> kPoint[] = {
 };
 
 constexpr Quantity<CurveOf> kCurve[] = {
-    {"stiffness_at_zero_N_per_um", of<[](auto& c) { return c.curve->stiffness_at_zero; }>,
+    {"stiffness_at_zero_N_per_um", of<its<&PreloadCurve::stiffness_at_zero>>,
      "tangent without external load, reached from either sense"},
-    {"lost_motion_um", of<[](auto& c) { return c.curve->lost_motion; }>,
+    {"lost_motion_um", of<its<&PreloadCurve::lost_motion>>,
      "displacement between the lost-motion load in tension and in compression"},
     {"loads", of<[](auto& c) {
-       return each(c.curve->points, [&](const PreloadPoint& point) { return PreloadPointOf{c.result, &point}; });
+       return each(c.item->points, [&](const PreloadPoint& point) { return PreloadPointOf{c.whole, &point}; });
      }>,
      "one equilibrium per external load"},
 };

@@ -377,7 +377,7 @@ std::string svg_style() {
   // On dark paper black and blue must be lighter.
   constexpr std::string_view kOnDark[] = {"#56b4e9", "#ff8a3c", "#2fc79b", "#e6a3cb", "#f0b73c", "#9bd4f5",
                                           "#e8e8e6", "#a5a5a5", "#b5b5b5", "#6b6b6b", "#ff6b4a"};
-  for (const auto k : up_to(std::size(kColours))) {
+  for (const auto k : indices(kColours)) {
     light += fmt::format("--c{}:{};", k, kColours[k]);
     dark += fmt::format("--c{}:{};", k, kOnDark[k]);
   }

@@ -43,10 +43,10 @@ std::vector<const Problem*> problems_of(const CheckResult& result) {
   return all;
 }
 
-std::string paths_of(const CommandNeeds& command, bool missing) {
-  std::string paths;
+std::vector<std::string> unmet_paths(const CommandNeeds& command, bool missing) {
+  std::vector<std::string> paths;
   for (const Problem& problem : command.unmet)
-    if (problem.is_missing() == missing) paths += (paths.empty() ? "" : ", ") + problem.path;
+    if (problem.is_missing() == missing) paths.push_back(problem.path);
   return paths;
 }
 
@@ -57,9 +57,9 @@ std::string readiness(const CheckResult& result) {
     if (command.command == Command::check) continue;
     std::string what = command.is_built ? "ready" : "not built; scripts/install.sh builds all";
     if (command.is_built && !command.unmet.empty()) {
-      const std::string missing = paths_of(command, true), wrong = paths_of(command, false);
-      what = missing.empty() ? "" : "add " + missing;
-      if (!wrong.empty()) what += (what.empty() ? "change " : "; change ") + wrong;
+      const auto missing = unmet_paths(command, true), wrong = unmet_paths(command, false);
+      what = missing.empty() ? "" : fmt::format("add {}", fmt::join(missing, ", "));
+      if (!wrong.empty()) what += fmt::format("{} {}", what.empty() ? "change" : "; change", fmt::join(wrong, ", "));
     }
     text += fmt::format("  {:<12} {}\n", name(command.command), printable(what));
   }
@@ -123,21 +123,13 @@ std::string derived(const Contacts& contacts) {
   return text;
 }
 
-template <bool missing>
-constexpr auto unmet_paths = filled<[](const CommandNeeds& command) {
-  std::vector<std::string> paths;
-  for (const Problem& problem : command.unmet)
-    if (problem.is_missing() == missing) paths.push_back(problem.path);
-  return paths;
-}>;
-
 constexpr Quantity<CommandNeeds> kNeeds[] = {
     {"ready", always<[](auto& command) { return command.is_built && command.unmet.empty(); }>},
     {"not_built",
      filled<[](auto& command) { return std::string(command.is_built ? "" : "scripts/install.sh builds all"); }>,
      "how to get a command that this program leaves out"},
-    {"missing", unmet_paths<true>, "what to add"},
-    {"wrong", unmet_paths<false>, "what to change"},
+    {"missing", filled<[](auto& command) { return unmet_paths(command, true); }>, "what to add"},
+    {"wrong", filled<[](auto& command) { return unmet_paths(command, false); }>, "what to change"},
     {"loads", of<&CommandNeeds::loads>, "static | running, of commands that have loads of threads"},
 };
 

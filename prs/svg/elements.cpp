@@ -193,7 +193,7 @@ std::string svg_rules(bool themed) {
       ".n{{fill:#1a1a1a;text-anchor:middle;font-size:13px;paint-order:stroke;stroke:#fff;stroke-"
       "opacity:.6;stroke-width:3px}}\n",
       ink, quiet, line, paper, kFontSize);
-  for (const auto k : up_to(std::size(kColours)))
+  for (const auto k : indices(kColours))
     rules += fmt::format(".s{0}{{stroke:{1};fill:none}}.f{0}{{fill:{1}}}.p{0}{{fill:{1};fill-opacity:.22}}\n", k,
                          themed ? fmt::format("var(--c{})", k) : std::string(kColours[k]));
   return rules;
