@@ -165,6 +165,9 @@ FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput&
   if (prs_shaft_compliance(&drive, point.position, &c, &slope) == 0)
     throw CaseError("response.frequency_response.position",
                     "lies off the shaft; expected a place on `response.shaft.length`; move it");
+  if (input.load.linkage && prs_is_dead_centre(prs_lever_at(&drive, point.position).angle))
+    throw CaseError("response.frequency_response.position",
+                    "has the lever at a dead centre; expected an angle from 1 to 179 deg; move it");
   FrequencyResponse r = small_vibration(drive, point, std::move(all));
   if (r.resonances.empty() && r.frequency.empty())
     throw CaseError("response.frequency_response.force",

@@ -1027,9 +1027,9 @@ void fields(const Fields& io, DriveMotor& m) {
   io("gear_efficiency", m.gear_efficiency,
      Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}}, "Of the gear");
   constexpr std::string_view kElectric = "only with `torque_constant`";
-  const bool is_electric = m.torque_constant.has_value();
   io("torque_constant", m.torque_constant, Quantity{unit::torque_constant, positive},
      "Torque over current of the equivalent direct-current motor");
+  const bool is_electric = m.torque_constant.has_value();
   io("resistance", m.resistance, Quantity{unit::resistance, positive}, optional_only_if(is_electric, kElectric),
      "Of its winding");
   io("supply", m.supply, Keys{[&m](const Fields& of) {
@@ -1542,9 +1542,9 @@ void fields(const Fields& io, PrsLinkage& l) {
 }
 
 void fields(const Fields& io, ResponseInput::Load& l) {
-  const bool turns = l.linkage.has_value();
   constexpr std::string_view kAlong = "without `linkage`", kOfLever = "only with `linkage`";
   io("linkage", l.linkage, Block{}, "Of a lever that the screw turns");
+  const bool turns = l.linkage.has_value();
   io("mass", l.mass, Quantity{unit::mass, positive}, required_only_if(!turns, kAlong), "That moves along the axis");
   io("force", l.force, OneOrSum{{unit::force}}, optional_only_if(!turns, kAlong),
      "> 0 holds the load back against +x and puts the screw in tension");

@@ -118,7 +118,7 @@ void alternatives(Choices& io, Requirement::Objective& o) {
 constexpr std::string_view kAlong = "without `linkage`", kOfLever = "only with `linkage`";
 
 /// Speed along the axis or of a lever.
-Quantity speed_of(bool is_lever) {
+static Quantity speed_of(bool is_lever) {
   return is_lever ? Quantity{unit::rotational_speed, unbounded, "30 deg/s"} : Quantity{unit::travel_speed};
 }
 
@@ -255,8 +255,8 @@ void fields(const Fields& io, Requirement::Designs& d) {
 }
 
 void fields(const Fields& io, Requirement& r) {
-  const bool is_lever = r.linkage.has_value();
   io("linkage", r.linkage, Block{}, "Of a lever that the screw turns: `motion` then has its angle and torque");
+  const bool is_lever = r.linkage.has_value();
   io("motion", r.motion, BlockOf{is_lever}, required, "One cycle, which is repeated");
   io("load", r.load, BlockOf{is_lever}, "What moves, and what resists");
   io("stroke", r.stroke, Quantity{unit::length, positive, "650 mm"},
@@ -715,7 +715,7 @@ nlohmann::ordered_json requirement_schema() {
   nlohmann::ordered_json along = schema(r), lever = schema(of_lever);
   for (const char* const speed : {"start_speed", "segments/items/properties/end_speed"}) {
     const Pointer place(fmt::format("/properties/motion/properties/{}", speed));
-    along[place] = {{"anyOf", {along[place], lever[place]}}};
+    along[place] = {{"description", along[place]["description"]}, {"oneOf", {along[place], lever[place]}}};
   }
   return along;
 }

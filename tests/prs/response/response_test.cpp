@@ -122,6 +122,14 @@ TEST(Response, EachWrongValueIsRefused) {
       {torque, "response.motor.inertia=0 kg m^2", "response.motor.inertia"},
       {torque, "response.brake={torque: -1 N m, at: 1 ms}", "response.brake.torque"},
       {torque, "response.load.force=[]", "response.load.force"},
+      {torque, "response.load={linkage: {base: 500 mm, arm: 300 mm}, inertia: 2 kg m^2}",
+       "response.start.angle: missing"},
+      {torque, "response.load={linkage: {base: 500 mm, arm: 300 mm}, inertia: 2 kg m^2, mass: 9 kg}",
+       "response.load.mass"},
+      {torque, "response.load={linkage: {base: 500 mm, arm: 300 mm}}", "response.load.inertia"},
+      {torque, "response.load={linkage: {base: 500 mm, arm: 0 mm}, inertia: 2 kg m^2}", "response.load.linkage.arm"},
+      {torque, "response.load.torque=9 N m", "response.load.torque"},
+      {torque, "response.start.angle=60 deg", "response.start.angle: belongs to a lever"},
       {torque, "response.load.force={}", "response.load.force: got no form"},
       {torque, "response.load.force={steps: []}", "response.load.force.steps"},
       {torque, "response.load.force={square: 3 N}", "response.load.force.square"},
@@ -154,6 +162,52 @@ TEST(Response, EachWrongValueIsRefused) {
       EXPECT_NE(std::string(error.what()).find(wrong.names), std::string::npos) << wrong.override << error.what();
     }
   }
+}
+
+/// The angle at the start, the force of the torque there, and energies that close over its own equation.
+TEST(Response, ALeverHasItsAngleTorqueAndEnergy) {
+  const auto run = [](const char* start, const char* inertia) {
+    return response_of(source_of(
+        solved()["cases"][0],
+        {fmt::format("response.load={{linkage: {{base: 500 mm, arm: 300 mm}}, inertia: {}, torque: 300 N m}}", inertia),
+         fmt::format("response.start={{angle: {}}}", start),
+         "response.motor={inertia: 4 kg cm^2, speed: {points: [{at: 0 s, value: 0 rpm}, {at: 5 ms, value: 900 "
+         "rpm}]}}"}));
+  };
+  const Json found = run("60 deg", "2 kg m^2");
+  EXPECT_NEAR(found["lever_angle_deg"][0].get<double>(), 60.0, 1e-12);
+  EXPECT_NEAR(found["external_force_N"][0].get<double>(), 1006.644591, 5.1e-7);
+  EXPECT_NEAR(found["lever_torque_Nm"].back().get<double>(), 300.0, 1e-10);
+  EXPECT_GT(found["lever_angle_deg"].back().get<double>(), 60.5);
+  EXPECT_LT(found["energy_J"]["residual_relative"], 1e-6);
+  try {
+    run("178.6 deg", "0.001 kg m^2");
+    FAIL() << "passed its dead centre";
+  } catch (const input::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("response.load.linkage: the lever reaches 179 deg"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_THROW(run("179.5 deg", "2 kg m^2"), input::InputError);
+}
+
+/// Ratio and reflection over the angle, by their definition.
+TEST(Response, ALeverIsExportedOverItsAngle) {
+  ResponseInput in;
+  in.load.linkage = PrsLinkage{0.5, 0.3};
+  in.load.inertia = 2.0;
+  in.start.angle = std::numbers::pi / 3.0;
+  const LeverMotion all = *lever_motion(in, 0.005);
+  EXPECT_NEAR(all.angles[0] * 180.0 / std::numbers::pi, 1.0, 1e-12);
+  EXPECT_NEAR(all.angles[1] * 180.0 / std::numbers::pi, 179.0, 1e-12);
+  const PrsLever lever = prs_lever(&*in.load.linkage, std::numbers::pi / 3.0);
+  EXPECT_NEAR(all.reflected_mass(lever), 22.518519, 5e-7);
+  EXPECT_NEAR(all.gear_ratio(lever), 0.298019780 * 2.0 * std::numbers::pi / 0.005, 1e-6);
+  const std::string csv = linkage_csv(all, {});
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 182);
+  EXPECT_TRUE(
+      csv.starts_with("angle_deg,length_mm,ratio_mm_per_rad,reflected_mass_kg,gear_ratio,reflected_inertia_kg_mm2\n"));
+  in.end_stops.upper = ResponseInput::EndStop{.at = lever.length * 0.1, .stiffness = 1e6};
+  EXPECT_NEAR(prs_lever(&*in.load.linkage, lever_motion(in, 0.0)->angles[1]).length, 1.1 * lever.length, 1e-12);
 }
 
 TEST(Response, ASumOfSignalsIsWhatItsTermsAre) {
