@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "contact/film.h"
+#include "simd/inlined.h"
 
 /// Laws of friction at a point of a contact. Each is written once, for numbers, batches with one point or one contact
 /// per lane, and either with slopes; `LawParametersOf` lists them.
@@ -67,8 +68,8 @@ struct Jacod {
 
   /// mu p/p_0 as a function of the point; so of every law.
   template <class Number>
-  [[gnu::always_inline]] auto in(const RollingContactOf<Number>& c) const {
-    return [c](const FrictionPointOf<Number>& at) __attribute__((always_inline)) {
+  PRS_INLINED auto in(const RollingContactOf<Number>& c) const {
+    return [c](const FrictionPointOf<Number>& at) PRS_INLINED {
       return c.eyring_stress * simd::asinh_of_positive(Number(c.shear_factor * at.viscosity_ratio * at.speed));
     };
   }
@@ -83,10 +84,8 @@ struct Coulomb {
   static constexpr std::array<LawParameter<Coulomb>, 1> parameters{{{"", &Coulomb::coefficient, "", "0.1"}}};
 
   template <class Number>
-  [[gnu::always_inline]] auto in(const RollingContactOf<Number>&) const {
-    return [mu = coefficient](const FrictionPointOf<Number>& at) __attribute__((always_inline)) {
-      return Number(mu * at.dome);
-    };
+  PRS_INLINED auto in(const RollingContactOf<Number>&) const {
+    return [mu = coefficient](const FrictionPointOf<Number>& at) PRS_INLINED { return Number(mu * at.dome); };
   }
 };
 
@@ -106,14 +105,12 @@ struct Mixed {
         "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch", false, false}}};
 
   template <class Number>
-  [[gnu::always_inline]] auto in(const RollingContactOf<Number>& c) const {
+  PRS_INLINED auto in(const RollingContactOf<Number>& c) const {
     const Number share = boundary_share(c.film_ratio, exponent);
     RollingContactOf<Number> rest = c;
     rest.eyring_stress = c.eyring_stress * (1.0 - share);
-    return [ mu = Number(share * boundary), film = Jacod<Real>{}.in(rest) ](const FrictionPointOf<Number>& at)
-        __attribute__((always_inline)) {
-      return mu * at.dome + film(at);
-    };
+    return [mu = Number(share * boundary), film = Jacod<Real>{}.in(rest)](const FrictionPointOf<Number>& at)
+               PRS_INLINED { return mu * at.dome + film(at); };
   }
 };
 
@@ -129,7 +126,7 @@ template <class Real, template <class> class... Law>
 struct LawList : Law<Real>... {
   /// Calls visit(kind, law) with each.
   template <class Visit>
-  [[gnu::always_inline]] constexpr void for_each(Visit visit) const {
+  PRS_INLINED constexpr void for_each(Visit visit) const {
     std::int64_t k = 0;
     (visit(FrictionKind{k++}, static_cast<const Law<Real>&>(*this)), ...);
   }
@@ -166,9 +163,9 @@ struct FrictionLawOf : LawParametersOf<Real> {
 
   /// Calls visit(law, which) with each law that a lane has, and with the lanes that have it.
   template <class Visit>
-  [[gnu::always_inline]] void visit(Visit visit) const {
+  PRS_INLINED void visit(Visit visit) const {
     using simd::any;
-    this->for_each([&](FrictionKind k, const auto& law) __attribute__((always_inline)) {
+    this->for_each([&](FrictionKind k, const auto& law) PRS_INLINED {
       const simd::Lanes<Real> which = kind == k;
       if (any(which)) visit(law, which);
     });

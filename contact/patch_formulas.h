@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/friction_laws.h"
+#include "simd/inlined.h"
 
 /// Friction on a contact patch: formulas for numbers, for batches with one contact or one point per
 /// lane, and for either with its slope along one variable, the slip ratio.
@@ -65,8 +66,8 @@ struct PatchPoint {
 
 /// `friction_at`: mu dome of a `FrictionPointOf`.
 template <class Number, class Real, class Friction>
-[[gnu::always_inline]] inline void add_point(PatchSumsOf<Number>& sums, const SlidingFieldOf<Number>& sliding,
-                                             const PatchPoint<Real>& at, Friction friction_at) {
+PRS_INLINED inline void add_point(PatchSumsOf<Number>& sums, const SlidingFieldOf<Number>& sliding,
+                                  const PatchPoint<Real>& at, Friction friction_at) {
   using simd::max, simd::select, simd::value;
   const Number v_1 = sliding.major - sliding.spin_minor * at.y;
   const Number v_2 = sliding.minor + sliding.spin_major * at.x;

@@ -1,6 +1,7 @@
 #include "contact/patch_kernel.h"
 
 #include "simd/asinh.h"
+#include "simd/inlined.h"
 
 namespace contact {
 namespace {
@@ -10,7 +11,7 @@ using WideOf = std::conditional_t<std::is_same_v<Number, double>, Batch, simd::D
 
 /// Copies numbers to all lanes.
 template <class Batch, template <class> class Of, class Number>
-[[gnu::always_inline]] inline Of<WideOf<Batch, Number>> spread(const Of<Number>& one) {
+PRS_INLINED inline Of<WideOf<Batch, Number>> spread(const Of<Number>& one) {
   return simd::in_all_lanes<Of<WideOf<Batch, Number>>, Batch>(one);
 }
 

@@ -3,6 +3,7 @@
 #include "fe/chain_elimination.h"
 #include "fe/chain_residual.h"
 #include "fe/newton_types.h"
+#include "simd/inlined.h"
 
 namespace fe {
 
@@ -29,7 +30,7 @@ Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& un
     for (auto& c : chain.records[k].contact) c.remainder = Real(0.0);
   Lanes<Real> searching = solve({-unit_load, false}) & wanted;
   for (int k = 0; k < chain.count; ++k)
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
+    unroll<M>([&](auto i) PRS_INLINED {
       chain.records[k].state.head[i] = chain.records[k].step[i];
       chain.records[k].state.tail[i] = Real(0.0);
     });
@@ -43,9 +44,7 @@ Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& un
     if (!any(searching) || refinement == kMostRefinements) break;
     searching = searching & solve({Real(0.0), true});
     for (int k = 0; k < chain.count; ++k)
-      unroll<M>([&](auto i) __attribute__((always_inline)) {
-        chain.records[k].state.move_back(i, -chain.records[k].step[i], searching);
-      });
+      unroll<M>([&](auto i) PRS_INLINED { chain.records[k].state.move_back(i, -chain.records[k].step[i], searching); });
   }
   return flexibility;
 }
@@ -73,7 +72,7 @@ ChainStepSums<Real> full_step(const ChainElimination<Real, Station>& elimination
   for (int k = chain.count - 1; k >= 0; --k) {
     auto& record = chain.records[k];
     elimination.substitute_back(k, d);
-    unroll<2>([&](auto i) __attribute__((always_inline)) {
+    unroll<2>([&](auto i) PRS_INLINED {
       auto& c = record.contact[i];
       const Real change = along<i>(chain.station, d);
       const Real net_approach = c.net_approach - change;
@@ -89,8 +88,7 @@ ChainStepSums<Real> full_step(const ChainElimination<Real, Station>& elimination
       c.tangent = select(active, r.tangent, c.tangent);
       c.remainder = select(active, remainder, c.remainder);
     });
-    if (residual.corrections)
-      unroll<M>([&](auto i) __attribute__((always_inline)) { s.slope += record.correction[i] * d[i]; });
+    if (residual.corrections) unroll<M>([&](auto i) PRS_INLINED { s.slope += record.correction[i] * d[i]; });
   }
   s.slope -= residual.load * d[0];
   return {total<Station>(s.energy), total<Station>(s.work), total<Station>(s.stiffness), total<Station>(s.slope),
@@ -104,7 +102,7 @@ Real take_back(const ChainStations<Real, Station>& chain, const Law& law, const 
   Real energy(0.0);
   for (int k = 0; k < chain.count; ++k) {
     auto& record = chain.records[k];
-    unroll<2>([&](auto i) __attribute__((always_inline)) {
+    unroll<2>([&](auto i) PRS_INLINED {
       auto& c = record.contact[i];
       const Real net_approach = c.net_approach + share * along<i>(chain.station, record.step);
       const ChainResponse<Real> r = law.evaluate(i, k, net_approach);
@@ -125,8 +123,8 @@ Real approach_rounding(const ChainStations<Real, Station>& chain) {
   for (int k = 0; k < chain.count; ++k) {
     const auto& record = chain.records[k];
     Real size(0.0);
-    unroll<M>([&](auto i) __attribute__((always_inline)) { size = max(size, abs(record.state.head[i])); });
-    unroll<2>([&](auto i) __attribute__((always_inline)) {
+    unroll<M>([&](auto i) PRS_INLINED { size = max(size, abs(record.state.head[i])); });
+    unroll<2>([&](auto i) PRS_INLINED {
       largest_change = max(largest_change, record.contact[i].tangent * size);
       largest_force = max(largest_force, record.contact[i].force);
     });
@@ -140,7 +138,7 @@ Real force_change(const ChainStations<Real, Station>& chain) {
   Real largest_change(0.0), largest_force(0.0);
   for (int k = 0; k < chain.count; ++k) {
     const auto& record = chain.records[k];
-    unroll<2>([&](auto i) __attribute__((always_inline)) {
+    unroll<2>([&](auto i) PRS_INLINED {
       const auto& c = record.contact[i];
       largest_change = max(largest_change, c.tangent * abs(along<i>(chain.station, record.step)));
       largest_force = max(largest_force, c.force);
@@ -222,7 +220,7 @@ class Chain {
       set_zero(residual);
       set_zero(record.correction);
       if (k == 0) residual[0] -= load;
-      unroll<2>([&](auto i) __attribute__((always_inline)) {
+      unroll<2>([&](auto i) PRS_INLINED {
         auto& c = record.contact[i];
         const ChainResponse<Real> r = law_.evaluate(i, k, c.net_approach);
         c.force = c.remainder = r.force;
@@ -230,7 +228,7 @@ class Chain {
         contact_energy += r.energy;
         add_along<i>(chain_.station, residual, r.force);
       });
-      unroll<M>([&](auto i) __attribute__((always_inline)) { worst = max(worst, abs(residual[i])); });
+      unroll<M>([&](auto i) PRS_INLINED { worst = max(worst, abs(residual[i])); });
     }
     contact_energy_ = total<Station>(contact_energy);
     summary_ = {};
@@ -244,10 +242,9 @@ class Chain {
 
   /// Function that applies the last step, when its stations are read next.
   auto pending_move() const {
-    return [this](Record & record) __attribute__((always_inline)) {
+    return [this](Record& record) PRS_INLINED {
       if (move_pending_)
-        unroll<M>([&](auto i)
-                      __attribute__((always_inline)) { record.state.move_back(i, length_ * record.step[i], moved_); });
+        unroll<M>([&](auto i) PRS_INLINED { record.state.move_back(i, length_ * record.step[i], moved_); });
     };
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fe/chain_station.h"
+#include "simd/inlined.h"
 
 namespace fe {
 
@@ -29,9 +30,9 @@ class ChainElimination {
   template <class Move>
   Mask factorize(const ChainResidual<Real>& residual, const Real& shift, const Move& move) const {
     Front front;
-    unroll<2 * M>([&](auto i) __attribute__((always_inline)) {
+    unroll<2 * M>([&](auto i) PRS_INLINED {
       front.right[i] = Real(0.0);
-      unroll<2 * M>([&](auto j) __attribute__((always_inline)) { front.a[i][j] = front.added[i][j] = Real(0.0); });
+      unroll<2 * M>([&](auto j) PRS_INLINED { front.a[i][j] = front.added[i][j] = Real(0.0); });
     });
     front.right[0] = -residual.load;
     const Real scale = 1.0 + shift;
@@ -51,7 +52,7 @@ class ChainElimination {
   }
 
   /// Backward half: the step at station k from that at the next one, which it replaces.
-  [[gnu::always_inline]] void substitute_back(int k, Real* next) const {
+  PRS_INLINED void substitute_back(int k, Real* next) const {
     if (k == stations_ - 1)
       substitute_back<true>(records_[k], next);
     else
@@ -68,8 +69,8 @@ class ChainElimination {
   };
 
   /// add(i, j, value) of a station into the front; `scale` is that of the diagonal.
-  [[gnu::always_inline]] static auto adder(const Real& scale, Front& front) {
-    return [&](auto i, auto j, const Real& value) __attribute__((always_inline)) {
+  PRS_INLINED static auto adder(const Real& scale, Front& front) {
+    return [&](auto i, auto j, const Real& value) PRS_INLINED {
       if constexpr (i == j)
         front.added[i][j] += scale * value;
       else
@@ -78,38 +79,38 @@ class ChainElimination {
   }
 
   template <bool kWithInterval>
-  [[gnu::always_inline]] void assemble(int k, bool corrections, const Real& scale, Front& front) const {
+  PRS_INLINED void assemble(int k, bool corrections, const Real& scale, Front& front) const {
     const Record& record = records_[k];
     const auto add = adder(scale, front);
     station_.add_station(k, add);
     if constexpr (kWithInterval) station_.add_interval_start(k, add);
-    unroll<2>([&](auto c) __attribute__((always_inline)) {
+    unroll<2>([&](auto c) PRS_INLINED {
       const auto& contact = record.contact[c];
       add_tangent<c>(station_, front.added, contact.tangent);
       add_along<c>(station_, front.right, contact.remainder);
     });
-    if (corrections) unroll<M>([&](auto i) __attribute__((always_inline)) { front.right[i] += record.correction[i]; });
+    if (corrections) unroll<M>([&](auto i) PRS_INLINED { front.right[i] += record.correction[i]; });
 
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
-      unroll<M>([&](auto j) __attribute__((always_inline)) { front.a[i][j] += front.added[i][j]; });
-      unroll<M>([&](auto j) __attribute__((always_inline)) { front.a[i][M + j] = front.added[i][M + j]; });
+    unroll<M>([&](auto i) PRS_INLINED {
+      unroll<M>([&](auto j) PRS_INLINED { front.a[i][j] += front.added[i][j]; });
+      unroll<M>([&](auto j) PRS_INLINED { front.a[i][M + j] = front.added[i][M + j]; });
     });
   }
 
   /// Eliminates a station from the first kReach freedoms of the front.
   template <int kReach>
-  [[gnu::always_inline]] static void eliminate(Record& record, Front& front, Real& smallest) {
+  PRS_INLINED static void eliminate(Record& record, Front& front, Real& smallest) {
     static constexpr const ChainFill<Station>& fill = kChainFill<Station>;
-    unroll<M>([&](auto p) __attribute__((always_inline)) {
+    unroll<M>([&](auto p) PRS_INLINED {
       smallest = min(smallest, front.a[p][p]);
       const Real inverse = 1.0 / front.a[p][p];
       record.step[p] = front.right[p] * inverse;
-      unroll<kReach>([&](auto j) __attribute__((always_inline)) {
+      unroll<kReach>([&](auto j) PRS_INLINED {
         if constexpr (j > p && fill.meets[p][j]) {
           const Real multiplier = front.a[p][j] * inverse;
           record.multiplier[fill.place[p][j]] = multiplier;
           front.right[j] -= multiplier * front.right[p];
-          unroll<kReach>([&](auto i) __attribute__((always_inline)) {
+          unroll<kReach>([&](auto i) PRS_INLINED {
             if constexpr (i == j && j == p + 1)  // the next pivot, the sooner the better
               front.a[j][j] -= front.a[p][j] * front.a[p][j] * inverse;
             else if constexpr (i >= j && fill.meets[p][i])
@@ -121,11 +122,11 @@ class ChainElimination {
   }
 
   /// The next station's part of the front becomes the first.
-  [[gnu::always_inline]] void pass_on(int k, const Real& scale, Front& front) const {
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
+  PRS_INLINED void pass_on(int k, const Real& scale, Front& front) const {
+    unroll<M>([&](auto i) PRS_INLINED {
       front.right[i] = front.right[M + i];
       front.right[M + i] = Real(0.0);
-      unroll<M>([&](auto j) __attribute__((always_inline)) {
+      unroll<M>([&](auto j) PRS_INLINED {
         front.a[i][j] = front.a[M + i][M + j];
         front.a[M + i][M + j] = front.added[i][j] = front.added[i][M + j] = Real(0.0);
       });
@@ -135,30 +136,30 @@ class ChainElimination {
 
   /// Joins both halves in the middle: each lane's last station gets what the elimination of the
   /// other lane's last station adds to it.
-  [[gnu::always_inline]] static void meet(Record& record, Front& front, Real& smallest) {
+  PRS_INLINED static void meet(Record& record, Front& front, Real& smallest) {
     Front own;
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
+    unroll<M>([&](auto i) PRS_INLINED {
       own.right[i] = front.right[i];
-      unroll<M>([&](auto j) __attribute__((always_inline)) { own.a[i][j] = front.a[i][j]; });
+      unroll<M>([&](auto j) PRS_INLINED { own.a[i][j] = front.a[i][j]; });
     });
     eliminate<2 * M>(record, front, smallest);
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
+    unroll<M>([&](auto i) PRS_INLINED {
       front.right[i] = own.right[i] + Station::mirrored(front.right[M + i]);
-      unroll<M>([&](auto j) __attribute__((always_inline)) {
+      unroll<M>([&](auto j) PRS_INLINED {
         if constexpr (j >= i) front.a[i][j] = own.a[i][j] + Station::mirrored(front.a[M + i][M + j]);
       });
     });
   }
 
   template <bool kLast>
-  [[gnu::always_inline]] static void substitute_back(Record& record, Real* next) {
+  PRS_INLINED static void substitute_back(Record& record, Real* next) {
     static constexpr const ChainFill<Station>& fill = kChainFill<Station>;
     Real d[2 * M];
-    if constexpr (!kLast) unroll<M>([&](auto i) __attribute__((always_inline)) { d[M + i] = next[i]; });
-    unroll<M>([&](auto back) __attribute__((always_inline)) {
+    if constexpr (!kLast) unroll<M>([&](auto i) PRS_INLINED { d[M + i] = next[i]; });
+    unroll<M>([&](auto back) PRS_INLINED {
       constexpr int p = M - 1 - back;
       Real x = record.step[p];
-      unroll<kLast ? M : 2 * M>([&](auto reverse) __attribute__((always_inline)) {
+      unroll<kLast ? M : 2 * M>([&](auto reverse) PRS_INLINED {
         constexpr int j = (kLast ? M : 2 * M) - 1 - reverse;
         if constexpr (j > p && fill.meets[p][j]) x -= record.multiplier[fill.place[p][j]] * d[j];
       });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fe/chain_station.h"
+#include "simd/inlined.h"
 
 namespace fe {
 
@@ -9,7 +10,7 @@ template <class Real>
 struct ChainHertz {
   Real stiffness[2];  ///< k_0 [N/m^1.5]
 
-  [[gnu::always_inline]] ChainResponse<Real> evaluate(int i, int, const Real& net_approach) const {
+  PRS_INLINED ChainResponse<Real> evaluate(int i, int, const Real& net_approach) const {
     const Real d = select(net_approach <= 0.0, Real(0.0), net_approach);
     const Real root = stiffness[i] * sqrt(d);
     const Real force = root * d;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fe/chain_station.h"
+#include "simd/inlined.h"
 
 namespace fe {
 
@@ -17,11 +18,11 @@ class ChainForces {
   }
 
   /// Forces at the next station k.
-  [[gnu::always_inline]] void at(int k, Real* force) {
+  PRS_INLINED void at(int k, Real* force) {
     const auto& record = chain_.records[k];
     Real next[M];
     set_zero(next);
-    unroll<M>([&](auto i) __attribute__((always_inline)) { force[i] = carried_[i]; });
+    unroll<M>([&](auto i) PRS_INLINED { force[i] = carried_[i]; });
     chain_.station.add_forces(k, record.state, force);
     if (k + 1 < chain_.count) {
       move_(chain_.records[k + 1]);
@@ -30,13 +31,13 @@ class ChainForces {
     if constexpr (kFolded<Station>)
       if (k + 1 == chain_.count) {
         ChainState<Real, M> beyond;
-        unroll<M>([&](auto i) __attribute__((always_inline)) {
+        unroll<M>([&](auto i) PRS_INLINED {
           beyond.head[i] = Station::mirrored(record.state.head[i]);
           beyond.tail[i] = Station::mirrored(record.state.tail[i]);
         });
         chain_.station.add_forces(k, record.state, beyond, force, next);
       }
-    unroll<M>([&](auto i) __attribute__((always_inline)) { carried_[i] = next[i]; });
+    unroll<M>([&](auto i) PRS_INLINED { carried_[i] = next[i]; });
   }
 
  private:
@@ -64,18 +65,18 @@ WholeResidual<Real> whole_residual(const ChainStations<Real, Station>& chain, co
     auto& record = chain.records[k];
     Real force[M], remainder[M];
     forces.at(k, force);
-    unroll<M>([&](auto i) __attribute__((always_inline)) { energy += 0.5 * record.state.head[i] * force[i]; });
+    unroll<M>([&](auto i) PRS_INLINED { energy += 0.5 * record.state.head[i] * force[i]; });
     if (k == 0) {
       force[0] -= load;
       energy -= load * record.state.head[0];
     }
     set_zero(remainder);
-    unroll<2>([&](auto i) __attribute__((always_inline)) {
+    unroll<2>([&](auto i) PRS_INLINED {
       const auto& c = record.contact[i];
       add_along<i>(chain.station, force, Real(c.force - c.remainder));
       add_along<i>(chain.station, remainder, c.remainder);
     });
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
+    unroll<M>([&](auto i) PRS_INLINED {
       const Lanes<Real> held = chain.station.held(k, i);
       const Real none(0.0);
       const Real unmarked = select(active, none, record.correction[i]);
@@ -101,11 +102,11 @@ Real tangent_residual(const ChainStations<Real, Station>& chain, const Real& loa
     Real force[M];
     forces.at(k, force);
     if (k == 0) force[0] -= load;
-    unroll<2>([&](auto i) __attribute__((always_inline)) {
+    unroll<2>([&](auto i) PRS_INLINED {
       const Real approach = along<i>(chain.station, record.state.head) + along<i>(chain.station, record.state.tail);
       add_along<i>(chain.station, force, Real(record.contact[i].tangent * approach));
     });
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
+    unroll<M>([&](auto i) PRS_INLINED {
       record.correction[i] = select(chain.station.held(k, i), Real(0.0), -force[i]);
       work += record.state.head[i] * record.correction[i];
     });

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fe/lanes.h"
+#include "simd/inlined.h"
 
 /// A chain of equal stations, each with two unilateral contacts, solved station by station. `Real` is a number or a
 /// batch of numbers: several chains side by side, each with its own convergence.
@@ -48,13 +49,13 @@ struct ChainState {
   Real tail[M];
 
   /// Difference of a freedom here and at `from`.
-  [[gnu::always_inline]] Real difference(int i, const ChainState& from) const {
+  PRS_INLINED Real difference(int i, const ChainState& from) const {
     return (head[i] - from.head[i]) + (tail[i] - from.tail[i]);
   }
 
   /// Subtracts the step where `move`.
   template <class Mask>
-  [[gnu::always_inline]] void move_back(int i, const Real& step, const Mask& move) {
+  PRS_INLINED void move_back(int i, const Real& step, const Mask& move) {
     const Real change = tail[i] - step;
     const Real sum = head[i] + change;
     const Real rounded = sum - head[i];
@@ -116,10 +117,10 @@ struct ChainStations {
 
 /// Approach b'd of contact C with the form b.
 template <int C, class Station, class Real>
-[[gnu::always_inline]] inline Real along(const Station& station, const Real* d) {
+PRS_INLINED inline Real along(const Station& station, const Real* d) {
   static constexpr auto form = Station::template form<C>();
   Real sum(0.0);
-  unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
+  unroll<static_cast<int>(form.size())>([&](auto i) PRS_INLINED {
     if constexpr (form[i].negative)
       sum -= station.coefficient(C, form[i].kind) * d[form[i].freedom];
     else
@@ -130,9 +131,9 @@ template <int C, class Station, class Real>
 
 /// Adds b force to `right`.
 template <int C, class Station, class Real>
-[[gnu::always_inline]] inline void add_along(const Station& station, Real* right, const Real& force) {
+PRS_INLINED inline void add_along(const Station& station, Real* right, const Real& force) {
   static constexpr auto form = Station::template form<C>();
-  unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
+  unroll<static_cast<int>(form.size())>([&](auto i) PRS_INLINED {
     if constexpr (form[i].negative)
       right[form[i].freedom] -= station.coefficient(C, form[i].kind) * force;
     else
@@ -142,11 +143,11 @@ template <int C, class Station, class Real>
 
 /// Adds t b b' to the upper triangle of `a`.
 template <int C, class Station, class Real, std::size_t N>
-[[gnu::always_inline]] inline void add_tangent(const Station& station, Real (&a)[N][N], const Real& t) {
+PRS_INLINED inline void add_tangent(const Station& station, Real (&a)[N][N], const Real& t) {
   static constexpr auto form = Station::template form<C>();
-  unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
+  unroll<static_cast<int>(form.size())>([&](auto i) PRS_INLINED {
     const Real row = t * station.coefficient(C, form[i].kind);
-    unroll<static_cast<int>(form.size())>([&](auto j) __attribute__((always_inline)) {
+    unroll<static_cast<int>(form.size())>([&](auto j) PRS_INLINED {
       if constexpr (form[i].freedom <= form[j].freedom) {
         Real& entry = a[form[i].freedom][form[j].freedom];
         if constexpr (form[i].negative != form[j].negative)
@@ -170,7 +171,7 @@ inline constexpr bool kFolded = requires {
 
 /// Sum over the chain of the sums of its lanes.
 template <class Station, class Real>
-[[gnu::always_inline]] inline Real total(const Real& sum) {
+PRS_INLINED inline Real total(const Real& sum) {
   if constexpr (kFolded<Station>)
     return sum + Station::mirrored(sum);
   else
@@ -179,7 +180,7 @@ template <class Station, class Real>
 
 /// Maximum over the chain of the maxima of its lanes.
 template <class Station, class Real>
-[[gnu::always_inline]] inline Real of_both(const Real& worst) {
+PRS_INLINED inline Real of_both(const Real& worst) {
   if constexpr (kFolded<Station>)
     return max(worst, Station::mirrored(worst));
   else

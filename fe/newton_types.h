@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fe/lanes.h"
+#include "simd/inlined.h"
 
 namespace fe {
 
@@ -51,25 +52,25 @@ struct NewtonOptions {
 
   /// Whether a step with the predicted decrease d'r hardly changes the energy any more.
   template <class Real>
-  [[gnu::always_inline]] Lanes<Real> settled(const Real& slope, const Real& energy) const {
+  PRS_INLINED Lanes<Real> settled(const Real& slope, const Real& energy) const {
     return slope <= energy_tolerance * abs(energy);
   }
   template <class Real>
-  [[gnu::always_inline]] Lanes<Real> small(const Real& residual) const {
+  PRS_INLINED Lanes<Real> small(const Real& residual) const {
     return residual <= residual_tolerance;
   }
   /// Whether one more step would hardly change a force.
   template <class Real>
-  [[gnu::always_inline]] Lanes<Real> exact(const Real& change, const Real& residual, const Real& before) const {
+  PRS_INLINED Lanes<Real> exact(const Real& change, const Real& residual, const Real& before) const {
     return change * residual <= force_tolerance * before;
   }
   template <class Real>
-  [[gnu::always_inline]] Lanes<Real> stalled(const Real& residual, const Real& before) const {
+  PRS_INLINED Lanes<Real> stalled(const Real& residual, const Real& before) const {
     return residual > 0.1 * before;
   }
   /// Whether a residual that cannot fall for rounding is small enough.
   template <class Real>
-  [[gnu::always_inline]] Lanes<Real> rounded(const Real& change, const Real& residual) const {
+  PRS_INLINED Lanes<Real> rounded(const Real& change, const Real& residual) const {
     return (residual <= rounding_tolerance) & (change <= force_tolerance);
   }
 };

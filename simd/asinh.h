@@ -4,6 +4,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "simd/dual.h"
+#include "simd/inlined.h"
 
 namespace simd {
 
@@ -13,8 +14,8 @@ namespace simd {
 ///
 /// and for the remainder of artanh the polynomial of fdlibm's logarithm (Sun Microsystems 1993).
 template <class Arch>
-[[gnu::always_inline]] inline xsimd::batch<double, Arch> asinh_of_positive(const xsimd::batch<double, Arch>& x,
-                                                                           const xsimd::batch<double, Arch>& root) {
+PRS_INLINED inline xsimd::batch<double, Arch> asinh_of_positive(const xsimd::batch<double, Arch>& x,
+                                                                const xsimd::batch<double, Arch>& root) {
   using Batch = xsimd::batch<double, Arch>;
   using Bits = xsimd::batch<std::uint64_t, Arch>;
   constexpr std::uint64_t kOne = 0x3ff0000000000000, kRootOfHalf = 0x3fe6a09e667f3bcd, kFraction = 0x000fffffffffffff,
@@ -35,11 +36,11 @@ template <class Arch>
 }
 
 template <class Batch>
-[[gnu::always_inline]] inline Batch asinh_of_positive(const Batch& x) {
+PRS_INLINED inline Batch asinh_of_positive(const Batch& x) {
   return asinh_of_positive(x, select(x < Batch(1e150), sqrt(x * x + 1.0), x));
 }
 template <class Batch>
-[[gnu::always_inline]] inline Dual<Batch> asinh_of_positive(const Dual<Batch>& x) {
+PRS_INLINED inline Dual<Batch> asinh_of_positive(const Dual<Batch>& x) {
   const Batch root = select(x.value < Batch(1e150), sqrt(x.value * x.value + 1.0), x.value);
   return {asinh_of_positive(x.value, root), x.slope / root};
 }

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "simd/inlined.h"
+
 /// Arithmetic with the same names for a number and for a batch of numbers: functions of xsimd for batches, for single
 /// numbers. Formulas are templates over `Real`, which is either.
 
@@ -21,40 +23,37 @@ using Lanes = decltype(Real() < Real());
 template <class Real>
 inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 
-[[gnu::always_inline]] inline double select(bool condition, double a, double b) { return condition ? a : b; }
-[[gnu::always_inline]] inline bool any(bool condition) { return condition; }
-[[gnu::always_inline]] inline double sqrt(double x) { return __builtin_sqrt(x); }
-[[gnu::always_inline]] inline double abs(double x) { return __builtin_fabs(x); }
-[[gnu::always_inline]] inline double max(double a, double b) { return a > b ? a : b; }
-[[gnu::always_inline]] inline double min(double a, double b) { return a < b ? a : b; }
-[[gnu::always_inline]] inline double cbrt(double x) { return __builtin_cbrt(x); }
-[[gnu::always_inline]] inline double hypot(double x, double y) { return __builtin_hypot(x, y); }
-[[gnu::always_inline]] inline double atan2(double y, double x) { return __builtin_atan2(y, x); }
-[[gnu::always_inline]] inline double exp(double x) { return __builtin_exp(x); }
-[[gnu::always_inline]] inline double log(double x) { return __builtin_log(x); }
-[[gnu::always_inline]] inline double log10(double x) { return __builtin_log10(x); }
-[[gnu::always_inline]] inline double fma(double x, double y, double z) { return __builtin_fma(x, y, z); }
-[[gnu::always_inline]] inline double copysign(double x, double sign) { return __builtin_copysign(x, sign); }
-[[gnu::always_inline]] inline bool isnan(double x) { return __builtin_isnan(x); }
-[[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
-  return {__builtin_sin(x), __builtin_cos(x)};
-}
+PRS_INLINED inline double select(bool condition, double a, double b) { return condition ? a : b; }
+PRS_INLINED inline bool any(bool condition) { return condition; }
+PRS_INLINED inline double sqrt(double x) { return __builtin_sqrt(x); }
+PRS_INLINED inline double abs(double x) { return __builtin_fabs(x); }
+PRS_INLINED inline double max(double a, double b) { return a > b ? a : b; }
+PRS_INLINED inline double min(double a, double b) { return a < b ? a : b; }
+PRS_INLINED inline double cbrt(double x) { return __builtin_cbrt(x); }
+PRS_INLINED inline double hypot(double x, double y) { return __builtin_hypot(x, y); }
+PRS_INLINED inline double atan2(double y, double x) { return __builtin_atan2(y, x); }
+PRS_INLINED inline double exp(double x) { return __builtin_exp(x); }
+PRS_INLINED inline double log(double x) { return __builtin_log(x); }
+PRS_INLINED inline double log10(double x) { return __builtin_log10(x); }
+PRS_INLINED inline double fma(double x, double y, double z) { return __builtin_fma(x, y, z); }
+PRS_INLINED inline double copysign(double x, double sign) { return __builtin_copysign(x, sign); }
+PRS_INLINED inline bool isnan(double x) { return __builtin_isnan(x); }
+PRS_INLINED inline std::pair<double, double> sincos(double x) { return {__builtin_sin(x), __builtin_cos(x)}; }
 
 template <class Enum>
-requires std::is_enum_v<Enum>
-[[gnu::always_inline]] inline Enum select(bool condition, Enum a, Enum b) { return condition ? a : b; }
+requires std::is_enum_v<Enum> PRS_INLINED inline Enum select(bool condition, Enum a, Enum b) {
+  return condition ? a : b;
+}
 
 /// An enum in each lane of a batch, in place of a number.
 template <class Enum, class Real>
 class EnumLanes {
  public:
   EnumLanes() = default;
-  [[gnu::always_inline]] EnumLanes(Enum in_all) : bits_(std::bit_cast<double>(in_all)) {}
+  PRS_INLINED EnumLanes(Enum in_all) : bits_(std::bit_cast<double>(in_all)) {}
 
-  [[gnu::always_inline]] friend Lanes<Real> operator==(const EnumLanes& a, const EnumLanes& b) {
-    return a.bits_ == b.bits_;
-  }
-  [[gnu::always_inline]] friend EnumLanes select(const Lanes<Real>& which, const EnumLanes& a, const EnumLanes& b) {
+  PRS_INLINED friend Lanes<Real> operator==(const EnumLanes& a, const EnumLanes& b) { return a.bits_ == b.bits_; }
+  PRS_INLINED friend EnumLanes select(const Lanes<Real>& which, const EnumLanes& a, const EnumLanes& b) {
     EnumLanes chosen;
     chosen.bits_ = select(which, a.bits_, b.bits_);
     return chosen;
@@ -70,7 +69,7 @@ using EnumOf = std::conditional_t<std::is_same_v<Real, double>, Enum, EnumLanes<
 
 /// A number, or each number of several, with this value.
 template <class Of>
-[[gnu::always_inline]] constexpr Of filled_with(double x) {
+PRS_INLINED constexpr Of filled_with(double x) {
   if constexpr (std::is_same_v<Of, double>) {
     return x;
   } else {
@@ -84,7 +83,7 @@ template <class Of>
 /// `Of` consists of batches only, `One` of as many numbers in the same order.
 
 template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
-[[gnu::always_inline]] inline Of side_by_side(const One* values, std::size_t size) {
+PRS_INLINED inline Of side_by_side(const One* values, std::size_t size) {
   constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
   Of batches;
   if (kNumbers == 1 && size >= kLanes) {
@@ -103,7 +102,7 @@ template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
 
 /// A structure whose numbers are repeated in all lanes of `Batch`.
 template <class Of, class Batch, class One>
-[[gnu::always_inline]] inline Of in_all_lanes(const One& one) {
+PRS_INLINED inline Of in_all_lanes(const One& one) {
   Of of;
   if constexpr (!std::is_empty_v<One>) {
     constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
@@ -118,7 +117,7 @@ template <class Of, class Batch, class One>
 
 /// The numbers of `from` in these lanes of `to`.
 template <class Batch, class Of>
-[[gnu::always_inline]] inline void take_where(const Lanes<Batch>& which, const Of& from, Of& to) {
+PRS_INLINED inline void take_where(const Lanes<Batch>& which, const Of& from, Of& to) {
   Batch a[sizeof(Of) / sizeof(Batch)], b[sizeof(Of) / sizeof(Batch)];
   std::memcpy(static_cast<void*>(a), &from, sizeof a);
   std::memcpy(static_cast<void*>(b), &to, sizeof b);
@@ -128,7 +127,7 @@ template <class Batch, class Of>
 
 /// Stores the lanes into structures.
 template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
-[[gnu::always_inline]] inline void deliver(const Of& batches, One* values, std::size_t size) {
+PRS_INLINED inline void deliver(const Of& batches, One* values, std::size_t size) {
   constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
   if (kNumbers == 1 && size >= kLanes) {
     std::memcpy(static_cast<void*>(values), &batches, sizeof batches);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "simd/inlined.h"
 #include "simd/lanes.h"
 
 namespace simd {
 
 /// x y + z, rounded once, on processors with fused multiply-add; xsimd 8 rounds twice with AVX-512.
 template <class Real>
-[[gnu::always_inline]] inline Real fused(const Real& x, const Real& y, const Real& z) {
+PRS_INLINED inline Real fused(const Real& x, const Real& y, const Real& z) {
   double a[kLanes<Real>], b[kLanes<Real>], c[kLanes<Real>];
   std::memcpy(a, &x, sizeof a);
   std::memcpy(b, &y, sizeof b);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/model/part.h"
+#include "simd/inlined.h"
 
 namespace prs {
 
@@ -60,13 +61,13 @@ struct RefinedNumbers {
 
 /// f(a.n, b.n, ..) for every number n of sectors side by side.
 template <class F, class... Sectors>
-[[gnu::always_inline]] inline void for_each_number(F f, Sectors&... s) {
-  const auto section = [&](auto&... r) __attribute__((always_inline)) {
+PRS_INLINED inline void for_each_number(F f, Sectors&... s) {
+  const auto section = [&](auto&... r) PRS_INLINED {
     f(r.axial...);
     f(r.bending...);
     f(r.shear...);
   };
-  const auto interfaces = [&](auto&... i) __attribute__((always_inline)) {
+  const auto interfaces = [&](auto&... i) PRS_INLINED {
     f(i.screw...);
     f(i.nut...);
   };

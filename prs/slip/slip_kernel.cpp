@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simd/asinh.h"
+#include "simd/inlined.h"
 
 namespace prs {
 namespace {
@@ -15,7 +16,7 @@ contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared, c
   const contact::SlidingFieldOf<Number> field = contact::sliding_field(motion, c.semi_major, c.semi_minor);
   const contact::RollingContactOf<Number> contact = contact::rolling_contact(c.friction, c.peak_pressure, motion);
   contact::PatchSumsOf<Number> sums;
-  c.friction.visit([&]<class Law>(const Law& law, const simd::Lanes<Real>& which) __attribute__((always_inline)) {
+  c.friction.visit([&]<class Law>(const Law& law, const simd::Lanes<Real>& which) PRS_INLINED {
     const auto friction = law.in(contact);
     contact::PatchSumsOf<Number> found;
     for (std::size_t k = 0; k < shared.points.size; ++k) {

@@ -3,6 +3,7 @@
 #include "fe/chain_station.h"
 #include "prs/model/structure.h"
 #include "prs/sector/chain/chain_sector.h"
+#include "simd/inlined.h"
 
 namespace prs {
 
@@ -28,19 +29,19 @@ struct BarStation {
   const Real* nut;     ///< Stiffness to the next contact; 0 across the thrust section [N/m].
   const Real* ground;  ///< Stiffness from a contact to the thrust section, if no other contact lies between.
 
-  [[gnu::always_inline]] const Real& coefficient(int contact, int kind) const {
+  PRS_INLINED const Real& coefficient(int contact, int kind) const {
     return kind == 0 ? axial_part[contact] : radial_part[contact];
   }
 
   template <int I>
-  [[gnu::always_inline]] fe::Lanes<Real> held(int k, fe::Index<I>) const {
+  PRS_INLINED fe::Lanes<Real> held(int k, fe::Index<I>) const {
     if constexpr (I == N) return ground[k] > 1e300;
     if constexpr (I == V || I == T) return roller.bending_support > 1e300;
     return Real(0.0) > 1.0;
   }
 
   template <class Add>
-  [[gnu::always_inline]] void add_station(int k, Add add) const {
+  PRS_INLINED void add_station(int k, Add add) const {
     add(fe::Index<N>{}, fe::Index<N>{}, ground[k]);
     add(fe::Index<V>{}, fe::Index<V>{}, roller.bending_support);
     add(fe::Index<T>{}, fe::Index<T>{}, roller.bending_support);
@@ -49,7 +50,7 @@ struct BarStation {
   }
 
   template <class Add>
-  [[gnu::always_inline]] void add_interval_start(int k, Add add) const {
+  PRS_INLINED void add_interval_start(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add(fe::Index<S>{}, fe::Index<kFreedoms + S>{}, -screw);
     add(fe::Index<N>{}, fe::Index<N>{}, nut[k]);
@@ -59,7 +60,7 @@ struct BarStation {
   }
 
   template <class Add>
-  [[gnu::always_inline]] void add_interval_end(int k, Add add) const {
+  PRS_INLINED void add_interval_end(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add(fe::Index<N>{}, fe::Index<N>{}, nut[k]);
     roller.thread.template add_second<U>(add);
@@ -67,14 +68,13 @@ struct BarStation {
 
   using State = fe::ChainState<Real, kFreedoms>;
 
-  [[gnu::always_inline]] void add_forces(int k, const State& here, Real* force) const {
+  PRS_INLINED void add_forces(int k, const State& here, Real* force) const {
     force[N] += select(held(k, fe::Index<N>{}), Real(0.0), ground[k] * here.head[N]);
     if (k == 0) roller.ends[0].template add_forces<V>(here, force);
     if (k == stations - 1) roller.ends[1].template add_forces<V>(here, force);
   }
 
-  [[gnu::always_inline]] void add_forces(int k, const State& here, const State& next, Real* force,
-                                         Real* next_force) const {
+  PRS_INLINED void add_forces(int k, const State& here, const State& next, Real* force, Real* next_force) const {
     const Real screw_tension = screw * next.difference(S, here);
     force[S] -= screw_tension;
     next_force[S] += screw_tension;

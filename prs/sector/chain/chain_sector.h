@@ -5,6 +5,7 @@
 
 #include "fe/lanes.h"
 #include "prs/sector/sector_numbers.h"
+#include "simd/inlined.h"
 
 namespace prs {
 
@@ -16,19 +17,19 @@ inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 
 /// values[0], values[1], ..
 template <class Real>
-[[gnu::always_inline]] inline Real from_lanes(const double* values) {
+PRS_INLINED inline Real from_lanes(const double* values) {
   Real x;
   std::memcpy(&x, values, sizeof x);
   return x;
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void to_lanes(const Real& x, double* values) {
+PRS_INLINED inline void to_lanes(const Real& x, double* values) {
   std::memcpy(values, &x, sizeof x);
 }
 
 template <class Real>
-[[gnu::always_inline]] inline double lane(const Real& x, std::size_t l) {
+PRS_INLINED inline double lane(const Real& x, std::size_t l) {
   double value;
   std::memcpy(&value, reinterpret_cast<const char*>(&x) + l * sizeof value, sizeof value);
   return value;
@@ -42,8 +43,7 @@ struct LaneRange {
 
   /// Number `offset` of each solve, `stride` numbers per solve; zeros from an empty array.
   template <class Real>
-  [[gnu::always_inline]] Real load(std::span<const double> values, std::size_t stride = 1,
-                                   std::size_t offset = 0) const {
+  PRS_INLINED Real load(std::span<const double> values, std::size_t stride = 1, std::size_t offset = 0) const {
     if (values.empty()) return Real(0.0);
     if (stride == 1 && first + kLanes<Real> <= size) return from_lanes<Real>(values.data() + first + offset);
     double lanes[kLanes<Real>];
@@ -52,8 +52,7 @@ struct LaneRange {
     return from_lanes<Real>(lanes);
   }
   template <class Real, class T>
-  [[gnu::always_inline]] void store(const Real& x, std::vector<T>& values, std::size_t stride = 1,
-                                    std::size_t offset = 0) const {
+  PRS_INLINED void store(const Real& x, std::vector<T>& values, std::size_t stride = 1, std::size_t offset = 0) const {
     double lanes[kLanes<Real>];
     to_lanes(x, lanes);
     for (std::size_t l = 0; l < kLanes<Real> && first + l < size; ++l)
@@ -71,7 +70,7 @@ struct RollerBeam {
 
   /// Stiffness over freedoms U, V = U + 1, T = U + 2 of the first node; `add` as of fe::Chain.
   template <int U, class Add>
-  [[gnu::always_inline]] void add_first(Add add) const {
+  PRS_INLINED void add_first(Add add) const {
     const Real shear = slope * (near + far);
     add(fe::Index<U>{}, fe::Index<U>{}, axial);
     add(fe::Index<U + 1>{}, fe::Index<U + 1>{}, 2.0 * slope * shear);
@@ -80,7 +79,7 @@ struct RollerBeam {
   }
 
   template <int U, class Add>
-  [[gnu::always_inline]] void add_second(Add add) const {
+  PRS_INLINED void add_second(Add add) const {
     const Real shear = slope * (near + far);
     add(fe::Index<U>{}, fe::Index<U>{}, axial);
     add(fe::Index<U + 1>{}, fe::Index<U + 1>{}, 2.0 * slope * shear);
@@ -90,7 +89,7 @@ struct RollerBeam {
 
   /// Coupling of the first node's U with the second node's W.
   template <int U, int W, class Add>
-  [[gnu::always_inline]] void add_coupling(Add add) const {
+  PRS_INLINED void add_coupling(Add add) const {
     const Real shear = slope * (near + far);
     add(fe::Index<U>{}, fe::Index<W>{}, -axial);
     add(fe::Index<U + 1>{}, fe::Index<W + 1>{}, -2.0 * slope * shear);
@@ -101,9 +100,8 @@ struct RollerBeam {
 
   /// End forces like fe::end_forces: rigid motion is removed before the stiffness is applied.
   template <int U, int W, class State>
-  [[gnu::always_inline]] void add_forces(const State& first, const State& second, Real* first_force,
-                                         Real* second_force) const {
-    const auto difference = [&](int i, int j) __attribute__((always_inline)) {
+  PRS_INLINED void add_forces(const State& first, const State& second, Real* first_force, Real* second_force) const {
+    const auto difference = [&](int i, int j) PRS_INLINED {
       return (second.head[j] - first.head[i]) + (second.tail[j] - first.tail[i]);
     };
     const Real tension = axial * difference(U, W);
@@ -137,14 +135,14 @@ struct RollerEnd {
 
   /// Adds it to freedoms V and V + 1 of a station; `add` as in fe::Chain.
   template <int V, class Add>
-  [[gnu::always_inline]] void add(Add add) const {
+  PRS_INLINED void add(Add add) const {
     add(fe::Index<V>{}, fe::Index<V>{}, vv);
     add(fe::Index<V>{}, fe::Index<V + 1>{}, vt);
     add(fe::Index<V + 1>{}, fe::Index<V + 1>{}, tt);
   }
 
   template <int V, class State>
-  [[gnu::always_inline]] void add_forces(const State& here, Real* force) const {
+  PRS_INLINED void add_forces(const State& here, Real* force) const {
     const Real v = here.head[V] + here.tail[V], t = here.head[V + 1] + here.tail[V + 1];
     force[V] += vv * v + vt * t;
     force[V + 1] += vt * v + tt * t;
@@ -161,10 +159,9 @@ struct RollerEnd {
 /// guide of infinite stiffness holds, one of stiffness 0 is absent. `side` is -1 at the end that faces the loaded end
 /// of the screw, +1 at the other; r the radius that rotations are scaled by.
 template <class Real>
-[[gnu::always_inline]] inline RollerEnd<Real> roller_end(const RollerLength<Real>& run_out,
-                                                         const RollerLength<Real>& end, const Real& outer_guide,
-                                                         const Real& inner_guide, const Real& side,
-                                                         const Real& radius) {
+PRS_INLINED inline RollerEnd<Real> roller_end(const RollerLength<Real>& run_out, const RollerLength<Real>& end,
+                                              const Real& outer_guide, const Real& inner_guide, const Real& side,
+                                              const Real& radius) {
   const Real &l1 = run_out.length, &l2 = end.length;
   const Real ii = l1 * l1 * l1 * run_out.bending * (1.0 / 3.0) + l1 * run_out.shear;
   const Real io = ii + 0.5 * l1 * l1 * l2 * run_out.bending;
@@ -190,8 +187,8 @@ struct RollerChain {
 };
 
 template <class Real>
-[[gnu::always_inline]] inline RollerBeam<Real> roller_beam(const RollerSection<Real>& section, const Real& length,
-                                                           const Real& radius) {
+PRS_INLINED inline RollerBeam<Real> roller_beam(const RollerSection<Real>& section, const Real& length,
+                                                const Real& radius) {
   const Real shear = section.shear * length * length;
   const Real phi = select(shear <= 0.0, Real(0.0), 12.0 * section.bending / shear);
   const Real b = section.bending / (length * (1.0 + phi) * radius * radius);
@@ -199,12 +196,12 @@ template <class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline RollerLength<Real> roller_length(const RollerSection<Real>& section, const Real& length) {
+PRS_INLINED inline RollerLength<Real> roller_length(const RollerSection<Real>& section, const Real& length) {
   return {length, 1.0 / section.bending, select(section.shear <= 0.0, Real(0.0), 1.0 / section.shear)};
 }
 
 template <class Real>
-[[gnu::always_inline]] inline RollerChain<Real> roller_chain(const SectorNumbers<Real>& n) {
+PRS_INLINED inline RollerChain<Real> roller_chain(const SectorNumbers<Real>& n) {
   const Real half = n.contact_half_distance;
   const RollerEnd<Real> first =
       roller_end(roller_length(n.thread, Real(0.5 * n.pitch - half)), roller_length(n.end, n.end_length), n.outer_guide,

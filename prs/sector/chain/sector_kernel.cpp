@@ -4,6 +4,7 @@
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"
+#include "simd/inlined.h"
 
 namespace prs {
 namespace {
@@ -18,7 +19,7 @@ using Half = xsimd::batch<double, xsimd::sse4_1>;
 using Half = xsimd::batch<double, simd::Baseline>;
 #endif
 
-[[gnu::always_inline]] inline Half both(double first, double second) {
+PRS_INLINED inline Half both(double first, double second) {
   const double lanes[] = {first, second};
   return from_lanes<Half>(lanes);
 }
@@ -28,8 +29,8 @@ template <class Real>
 struct Bars : BarStation<Real> {};
 struct FoldedBars : BarStation<Half> {
   static constexpr bool kFolded = true;
-  [[gnu::always_inline]] static Half first_lane(const Half& x) { return both(lane(x, 0), 0.0); }
-  [[gnu::always_inline]] static Half mirrored(const Half& x) { return both(lane(x, 1), lane(x, 0)); }
+  PRS_INLINED static Half first_lane(const Half& x) { return both(lane(x, 0), 0.0); }
+  PRS_INLINED static Half mirrored(const Half& x) { return both(lane(x, 1), lane(x, 0)); }
 };
 template <class Real, ChainSector::Kind kKind>
 struct Shell : ShellStation<Real, kKind> {};
@@ -94,10 +95,9 @@ void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options, 
   Batch<Real, Bars<Real>> batch(workspace, n);
   for (std::size_t first = 0; first < designs.size(); first += kLanes<Real>) {
     const LaneRange range{first, designs.size()};
-    for_each_number(
-        [&](Real & number, const std::vector<double>& column)
-            __attribute__((always_inline)) { number = range.load<Real>(column); },
-        batch.numbers, designs);
+    for_each_number([&](Real& number, const std::vector<double>& column)
+                        PRS_INLINED { number = range.load<Real>(column); },
+                    batch.numbers, designs);
     batch.set_bars(n);
     batch.station.roller = roller_chain<Real>(batch.numbers);
     const auto flange = [&](std::size_t i) {

@@ -2,6 +2,7 @@
 
 #include "fe/chain_station.h"
 #include "prs/sector/chain/chain_sector.h"
+#include "simd/inlined.h"
 
 namespace prs {
 
@@ -55,10 +56,10 @@ struct ShellStation {
     }
   }
 
-  [[gnu::always_inline]] const Real& coefficient(int contact, int kind) const { return part[contact][kind]; }
+  PRS_INLINED const Real& coefficient(int contact, int kind) const { return part[contact][kind]; }
 
   template <int I>
-  [[gnu::always_inline]] fe::Lanes<Real> held(int k, fe::Index<I>) const {
+  PRS_INLINED fe::Lanes<Real> held(int k, fe::Index<I>) const {
     constexpr int kDiagonal[3] = {0, 3, 5};
     if constexpr (I >= N && I < U) return supports[k].stiffness[kDiagonal[I - N]] > 1e300;
     if constexpr (I > U && I != kLast) return roller.bending_support > 1e300;
@@ -66,9 +67,9 @@ struct ShellStation {
   }
 
   template <class Add>
-  [[gnu::always_inline]] void add_station(int k, Add add) const {
+  PRS_INLINED void add_station(int k, Add add) const {
     add_triangle<N>(supports[k].stiffness, add);
-    const auto hold = [&](auto i) __attribute__((always_inline)) { add(i, i, roller.bending_support); };
+    const auto hold = [&](auto i) PRS_INLINED { add(i, i, roller.bending_support); };
     hold(fe::Index<U + 1>{});
     hold(fe::Index<U + 2>{});
     if constexpr (kApart) {
@@ -83,13 +84,13 @@ struct ShellStation {
   }
 
   template <class Add>
-  [[gnu::always_inline]] void add_interval_start(int k, Add add) const {
+  PRS_INLINED void add_interval_start(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add(fe::Index<S>{}, fe::Index<kFreedoms + S>{}, -screw);
     const NutSegment<Real>& segment = segments[segment_of[k]];
     add_triangle<N>(segment.first, add);
-    fe::unroll<3>([&](auto i) __attribute__((always_inline)) {
-      fe::unroll<3>([&](auto j) __attribute__((always_inline)) {
+    fe::unroll<3>([&](auto i) PRS_INLINED {
+      fe::unroll<3>([&](auto j) PRS_INLINED {
         add(fe::Index<N + i>{}, fe::Index<kFreedoms + N + j>{}, segment.coupling[3 * i + j]);
       });
     });
@@ -98,7 +99,7 @@ struct ShellStation {
   }
 
   template <class Add>
-  [[gnu::always_inline]] void add_interval_end(int k, Add add) const {
+  PRS_INLINED void add_interval_end(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add_triangle<N>(segments[segment_of[k]].second, add);
     roller.thread.template add_second<U>(add);
@@ -106,7 +107,7 @@ struct ShellStation {
 
   using State = fe::ChainState<Real, kFreedoms>;
 
-  [[gnu::always_inline]] void add_forces(int k, const State& here, Real* force) const {
+  PRS_INLINED void add_forces(int k, const State& here, Real* force) const {
     const Real* stiffness = supports[k].stiffness;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j, ++stiffness) {
@@ -119,8 +120,7 @@ struct ShellStation {
     if (k == stations - 1) roller.ends[1].template add_forces<kLast + 1>(here, force);
   }
 
-  [[gnu::always_inline]] void add_forces(int k, const State& here, const State& next, Real* force,
-                                         Real* next_force) const {
+  PRS_INLINED void add_forces(int k, const State& here, const State& next, Real* force, Real* next_force) const {
     const Real tension = screw * next.difference(S, here);
     force[S] -= tension;
     next_force[S] += tension;
@@ -146,7 +146,7 @@ struct ShellStation {
 
  private:
   template <int First, class Add>
-  [[gnu::always_inline]] static void add_triangle(const Real* stiffness, Add add) {
+  PRS_INLINED static void add_triangle(const Real* stiffness, Add add) {
     add(fe::Index<First>{}, fe::Index<First>{}, stiffness[0]);
     add(fe::Index<First>{}, fe::Index<First + 1>{}, stiffness[1]);
     add(fe::Index<First>{}, fe::Index<First + 2>{}, stiffness[2]);
