@@ -220,8 +220,8 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   while (!options.load_case && k < c.load_cases() && !answered(k)) ++k;
   if (k >= c.load_cases() || !answered(k)) return {};
   const LoadCase& load = c.best().load_cases[k].load_case;
-  Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {:.4g} kN", shown_name(load.name),
-                                              load.axial_force * "kN"_per_si)};
+  Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {:.4g} kN, at rest",
+                                              shown_name(load.name), load.axial_force * "kN"_per_si)};
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
   for (std::size_t m = 0; m < c.models.size(); ++m)
