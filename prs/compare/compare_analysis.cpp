@@ -222,7 +222,7 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   while (!options.load_case && k < c.load_cases() && !answered(k)) ++k;
   if (k >= c.load_cases() || !answered(k)) return {};
   const LoadCase& load = c.best().load_cases[k].load_case;
-  Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {}", shown_name(load.name),
+  Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {}, at rest", shown_name(load.name),
                                               in_table_unit(fmt::format("{:.4g} kN", load.axial_force * "kN"_per_si)))};
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);

@@ -266,7 +266,7 @@ std::vector<std::size_t> cases_with_contacts(const MeasuresResult& result) {
 
 /// Load rates by Yang's formula and by the model, one panel per load case, at most six.
 Figures yang(const MeasuresResult& result) {
-  Figure figure{"yang", "Load distribution: Yang's formula and the model"};
+  Figure figure{"yang", "Load distribution at rest: Yang's formula and the model"};
   figure.y = {"Share of the load", "%"};
   std::size_t threads = 0;
   for (std::size_t k = 0; k < result.load_measures.size(); ++k) {
@@ -389,7 +389,8 @@ PageSection section(const MeasuresResult& r) {
                         "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",
                         "buckling_load_N", "critical_speed_rpm"}}},
       .folded = {"yang", "stiffness_terms"},
-      .estimates = estimates_in(r)};
+      .estimates = estimates_in(r),
+      .note = "Thread loads are those at rest."};
 }
 
 constexpr std::string_view kResponses[] = {"measures.dynamic_capacity_N",

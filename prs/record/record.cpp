@@ -22,6 +22,7 @@ const ShownUnit& unit_at(std::string_view path) {
 std::string words_of(std::string_view key) {
   std::string words(key.substr(0, key.size() - unit_of(key).suffix.size()));
   std::ranges::replace(words, '_', ' ');
+  if (words.starts_with("max ")) words.replace(0, 3, "largest");
   return words;
 }
 

@@ -8,12 +8,12 @@ namespace prs {
 
 /// Title of a response for people.
 struct ResponseTitle {
-  std::string name;  ///< `max screw peak pressure`
+  std::string name;  ///< `largest peak pressure, screw`
   std::string unit;  ///< `MPa`; empty if the path names none.
 };
 
-/// `screw.peak_pressure_MPa.max` -> `max screw peak pressure`, `MPa`: a quantity of a part of the mechanism starts with
-/// its name, `slip`, `contact` and `measures` are left out.
+/// `screw.peak_pressure_MPa.max` -> `largest peak pressure, screw`, `MPa`: a quantity in the words of catalogues, then
+/// the part of the mechanism and the thread; `slip`, `contact`, `heat` and `measures` are left out.
 ResponseTitle response_title(std::string_view path);
 
 /// Units of tables for people. Documents and CSV are always `si`: their names carry the units.
@@ -116,7 +116,7 @@ std::string hanging(const std::string& label, std::size_t columns, std::string_v
 /// The line without trailing blanks.
 std::string ended(std::string line);
 
-/// A text of documents as tables show it: `flank's edge` for `flank_edge`, `iteration limit` for `iteration_limit`.
+/// A text of documents as tables show it: `at rest` for `static`, `iteration limit` for `iteration_limit`.
 std::string words_of_text(std::string_view text);
 
 /// Bars of both interfaces side by side, one line per thread, under the names of the

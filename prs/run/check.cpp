@@ -230,7 +230,7 @@ std::vector<Warning> solved_load_warnings(const input::Source& source, const inp
   return warnings;
 }
 
-/// Effect of a start of the screw that stands off, which perfect parts hide: on the largest load and on the life,
+/// Effect of a start of the screw out of position, which perfect parts hide: on the largest load and on the life,
 /// each for the sense that is worse for it.
 std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in, double largest) {
   constexpr double kOff = 3e-6;  ///< [m]
