@@ -610,14 +610,12 @@ def told_of_arguments(
         response = str(responses[int(found[1])])
         if reason := Reasons(case(), command).of(response):
             return f"responses[{found[1]}]: got {response}; {reason}"
-        near = [
-            known
-            for known in sorted(numbers_known())
-            if response in known and command in commands_of(known)
-        ][:3]
+        near = [known for known in sorted(numbers_known()) if response in known]
+        own = [known for known in near if command in commands_of(known)]
         if near and "did you mean" not in message:
             message = message.partition("; write for example")[0]
-            message += f"; did you mean {', '.join(f'`{each}`' for each in near)}?"
+            message += f"; did you mean {', '.join(f'`{each}`' for each in (own or near)[:3])}"
+            message += "?" if own else f' of command="{commands_of(near[0])[0]}"?'
         return f"responses[{found[1]}]: {message}"
     if found := _FACTOR.match(error.path):
         path = inputs[int(found[1])]

@@ -214,7 +214,8 @@ class Record:
         own = [each for each in dir(self) if not each.startswith("_")]
         near = [each for each in own if name in each] or difflib.get_close_matches(name, own, 3)
         if name.startswith("plot_"):
-            near = [each for each in own if each.startswith("plot_") and each != "plot_figure"]
+            drawn = [each for each in own if each.startswith("plot_") and each != "plot_figure"]
+            near = [each for each in drawn if name.rstrip("s") in each] or drawn
         for part in self.keys() if not near else []:
             value = self._node.get(part)
             place = part
@@ -442,7 +443,9 @@ class Result(Record):
         cases, warned = self.get("load_cases", []), len(self.warnings)
         parts = []
         if cases:
-            parts.append(f"{len(cases)} load case{'s' * (len(cases) > 1)} {loads_of(self)}".strip())
+            parts.append(f"{len(cases)} load case{'s' * (len(cases) > 1)}")
+        if loads := loads_of(self):
+            parts.append(f"loads {loads}")
         if warned:
             parts.append(f"{warned} warning{'s' * (warned > 1)}")
         own = [key for key in self.keys() if key not in _OF_ALL]
