@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "prs/bytes.h"
+#include "prs/indices.h"
 #include "prs/sha256.h"
 
 namespace prs {
@@ -129,9 +130,8 @@ void run_pipeline(std::size_t threads, bool in_order, const Give& give, const Pr
 
 StoredRows::StoredRows(std::vector<Journal> journals) : journals_(std::move(journals)) {
   std::vector<Piece> records;
-  for (std::size_t j = 0; j < journals_.size(); ++j)
-    for (std::size_t r = 0; r < journals_[j].records().size(); ++r)
-      records.push_back({j, r, journals_[j].records()[r].designs});
+  for (const auto j : indices(journals_))
+    for (const auto r : indices(journals_[j].records())) records.push_back({j, r, journals_[j].records()[r].designs});
   std::ranges::sort(records, {}, [](const Piece& piece) { return piece.designs.first; });
   std::size_t next = 0;
   for (Piece& piece : records) {
