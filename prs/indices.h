@@ -28,7 +28,7 @@ constexpr Counted up_to(std::integral auto count) { return {static_cast<std::siz
 constexpr Counted indices(const auto& sequence) { return {std::size(sequence)}; }
 
 /// Entry at an index of any integer or enumeration type.
-constexpr decltype(auto) entry(auto&& sequence, auto index) { return sequence[static_cast<std::size_t>(index)]; }
+constexpr decltype(auto) item_at(auto&& sequence, auto index) { return sequence[static_cast<std::size_t>(index)]; }
 
 /// Appends the entries of `tail`.
 void append(auto& to, const auto& tail) { to.insert(to.end(), std::begin(tail), std::end(tail)); }

@@ -1,6 +1,7 @@
 #include "prs/compare/compare_analysis.h"
 
 #include "prs/compare/reference_analysis.h"
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
@@ -104,7 +105,7 @@ constexpr Quantity<ComparedLoad> kLoad[] = {
     {"position_mm", of<[](auto& l) { return l.load().position; }>, "of the first roller contact on the nut"},
     {"models", of<[](auto& l) {
        std::vector<ComparedModel> models;
-       for (std::size_t m = 0; m < l.comparison->models.size(); ++m) models.push_back({l.comparison, l.load_case, m});
+       for (const auto m : indices(l.comparison->models)) models.push_back({l.comparison, l.load_case, m});
        return models;
      }>,
      "the best last"},
@@ -116,7 +117,7 @@ constexpr Quantity<ModelComparison> kComparison[] = {
     {"models", of<model_names>, "that were compared: bars | refined | influence, or one of them | full; the best last"},
     {"load_cases", of<[](auto& c) {
        std::vector<ComparedLoad> loads;
-       for (std::size_t k = 0; k < c.load_cases(); ++k) loads.push_back({&c, k});
+       for (const auto k : up_to(c.load_cases())) loads.push_back({&c, k});
        return loads;
      }>,
      "those that are solved, not of equal thread loads"},
@@ -164,16 +165,15 @@ std::string model_row(const std::string& load_case, const ComparedModel& m) {
 std::string comparison_table(const ModelComparison& c) {
   const std::size_t shown = std::min(c.load_cases(), kMaxUnfoldedCases);
   std::size_t name_width = std::string_view("load case").size();
-  for (std::size_t k = 0; k < shown; ++k)
-    name_width = std::max(name_width, width(case_name_cell(c.best().load_cases[k])));
+  for (const auto k : up_to(shown)) name_width = std::max(name_width, width(case_name_cell(c.best().load_cases[k])));
   name_width = std::min(name_width, kLongestName);
   const auto cell = [&](const std::string& text) { return fitted(text, name_width, true) + "  "; };
   std::string text =
       comparison_row({cell(""), "", "stiffness", "over", "displ.", "screw max.", "nut max.", "pressure", "over"}) +
       comparison_row({cell("load case"), "model", with_table_unit("N/µm"), "best", with_table_unit("µm"), "thread: %",
                       "thread: %", with_table_unit("max. GPa"), "best"});
-  for (std::size_t k = 0; k < shown; ++k)
-    for (std::size_t m = 0; m < c.models.size(); ++m)
+  for (const auto k : up_to(shown))
+    for (const auto m : indices(c.models))
       text += model_row(cell(m == 0 ? case_name_cell(c.best().load_cases[k]) : ""), {&c, k, m});
   if (shown < c.load_cases())
     text += fmt::format("  … {} of {} load cases; {}\n", shown, c.load_cases(), all_in("comparison.csv"));
@@ -186,8 +186,8 @@ std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
   csv.row("bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best", "axial_displacement_um",
           "screw_most_loaded_thread", "screw_largest_load_rate_percent", "nut_most_loaded_thread",
           "nut_largest_load_rate_percent", "largest_peak_pressure_MPa", "pressure_over_best");
-  for (std::size_t k = 0; k < c.load_cases(); ++k)
-    for (std::size_t model = 0; model < c.models.size(); ++model) {
+  for (const auto k : up_to(c.load_cases()))
+    for (const auto model : indices(c.models)) {
       const ComparedModel m{&c, k, model};
       const LoadCaseResult& r = m.result();
       load_fields(csv, r.load_case);
@@ -226,12 +226,11 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
                                               in_table_unit(fmt::format("{:.4g} kN", load.axial_force * "kN"_per_si)))};
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
-  for (std::size_t m = 0; m < c.models.size(); ++m)
-    figure.add(std::string(name_of_model(c.models[m].model)), case_line(m));
+  for (const auto m : indices(c.models)) figure.add(std::string(name_of_model(c.models[m].model)), case_line(m));
   const auto threads = static_cast<std::size_t>(c.best().contacts.mechanism.contacts_per_roller);
   for (const Interface i : kInterfaces) {
     Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
-    for (std::size_t m = 0; m < c.models.size(); ++m) {
+    for (const auto m : indices(c.models)) {
       const InterfaceLoads& loads = (*c.models[m].load_cases[k].threads)[i];
       panel.series.push_back({m, {over_threads(of_most_loaded_roller(loads), "%"_per_si)}});
     }

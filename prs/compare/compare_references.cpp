@@ -1,4 +1,5 @@
 #include "prs/compare/compare_models.h"
+#include "prs/indices.h"
 #include "prs/input/readings.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/record/response_path.h"
@@ -32,8 +33,7 @@ std::vector<double> threads_of(const Json* series, const LoadCaseResult& result,
   if (!series || !series->is_array() || series->empty()) return {};
   const Interface i = response.find("nut.") == response.npos ? Interface::screw : Interface::nut;
   const bool in_rows = (*series)[0].is_array() && result.threads && (*result.threads)[i].rollers;
-  const Json& row =
-      in_rows ? (*series)[static_cast<std::size_t>((*result.threads)[i].rollers->largest_roller - 1)] : *series;
+  const Json& row = in_rows ? item_at((*series), (*result.threads)[i].rollers->largest_roller - 1) : *series;
   std::vector<double> values;
   for (const Json& entry : row) values.push_back(entry.is_number() ? entry.get<double>() : kNoAnswer);
   return values;
@@ -78,7 +78,7 @@ class References {
     const LoadCaseResult& result = *std::ranges::find(comparison_.models[model].load_cases, reference.load_case,
                                                       [](const LoadCaseResult& r) { return r.load_case.name; });
     const std::vector<double> threads = threads_of(value_at(*json, reference.response), result, reference.response);
-    for (std::size_t r = 0; r < values.size(); ++r)
+    for (const auto r : indices(values))
       if (const auto thread = static_cast<std::size_t>(reference.readings[r].along); thread <= threads.size())
         values[r] = threads[thread - 1];
     return values;
@@ -111,7 +111,7 @@ class References {
       else
         std::ranges::for_each(document["load_cases"], take);
     }
-    for (std::size_t k = 0; k < values.size(); ++k)
+    for (const auto k : indices(values))
       if (reference.is_over_force() && reference.readings[k].along < 0.0 &&
           reference.response.ends_with("axial_displacement_um"))
         values[k] = -values[k];
@@ -170,8 +170,7 @@ void compare_references(const input::Source& source, const Case& c, std::vector<
   std::vector<ReferenceComparison> found;
   for (ReferenceCurve& reference : references) {
     ReferenceComparison compared{std::move(reference), {}, comparison.stated, {}, {}, {}};
-    for (std::size_t m = 0; m < comparison.models.size(); ++m)
-      compared.models.push_back(all.answer(compared.reference, m));
+    for (const auto m : indices(comparison.models)) compared.models.push_back(all.answer(compared.reference, m));
     if (compared.reference.is_over_force())
       compared.slope = slope(References::forces_of(compared.reference), compared.reference.values());
     set_sums(c, compared);

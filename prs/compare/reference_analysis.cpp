@@ -3,6 +3,7 @@
 #include <array>
 
 #include "prs/bodies/body_models.h"
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/record_table.h"
 #include "prs/text.h"
@@ -44,13 +45,13 @@ struct ComparedReading {
 
 std::vector<ReferenceModel> models_of(const ComparedReference& r) {
   std::vector<ReferenceModel> models;
-  for (std::size_t m = 0; m < r.found().models.size(); ++m) models.push_back({r, m});
+  for (const auto m : indices(r.found().models)) models.push_back({r, m});
   return models;
 }
 
 std::vector<ComparedReading> readings_of(const ComparedReference& r) {
   std::vector<ComparedReading> readings;
-  for (std::size_t k = 0; k < r.reference().readings.size(); ++k) readings.push_back({r, k});
+  for (const auto k : indices(r.reference().readings)) readings.push_back({r, k});
   return readings;
 }
 
@@ -170,7 +171,7 @@ namespace {
 
 std::vector<ComparedReference> references_of(const ModelComparison& c) {
   std::vector<ComparedReference> all;
-  for (std::size_t k = 0; k < c.references.size(); ++k) all.push_back({&c, k});
+  for (const auto k : indices(c.references)) all.push_back({&c, k});
   return all;
 }
 
@@ -238,7 +239,7 @@ std::string reference_table(const ModelComparison& c) {
   std::string text = "\n" + kRow("computed less reference", {"mean", "rms", "largest", "at", "rms, %", "largest, %"}) +
                      kRow("", {"", "", "", "", "of mean", "of mean"});
   const std::size_t shown = std::min(c.references.size(), kMaxUnfoldedCases);
-  for (std::size_t k = 0; k < shown; ++k) {
+  for (const auto k : up_to(shown)) {
     const ComparedReference of{&c, k};
     text += ended("  " + title_of(of.reference())) + ended("    " + facts_of(of));
     for (const ReferenceModel& m : models_of(of)) {
@@ -276,7 +277,7 @@ std::string references_csv(const ModelComparison& c, const CsvStyle& style) {
   csv.end_row();
   for (const ComparedReference& of : references_of(c)) {
     const ReferenceCurve& r = of.reference();
-    for (std::size_t k = 0; k < r.readings.size(); ++k) {
+    for (const auto k : indices(r.readings)) {
       const ReferenceReading& reading = r.readings[k];
       csv.fields(r.name, r.file, r.load_case, r.response, r.unit, r.along, r.along_unit,
                  r.along.empty() ? std::nullopt : std::optional(reading.along), reading.value, reading.deviation);

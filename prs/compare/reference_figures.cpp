@@ -1,4 +1,5 @@
 #include "prs/compare/reference_analysis.h"
+#include "prs/indices.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
@@ -13,15 +14,15 @@ struct Look {
 
   Look(Figure& figure, const ModelComparison& c) {
     for (const ReferenceComparison& r : c.references)
-      if (std::ranges::find(names, r.reference.name) == names.end()) names.push_back(r.reference.name);
-    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (!contains(names, r.reference.name)) names.push_back(r.reference.name);
+    for (const auto k : indices(names)) {
       Style style = points_of(k == 0 ? Colour::ink : case_colour(k + c.models.size()), static_cast<Mark>(1 + k % 8));
       style.open = true;
       points.push_back(figure.add(shown_name(names[k]), style));
       bars.push_back(figure.add(line_of(style.colour, Dash::solid, Weight::thin)));
     }
     constexpr Dash kDashes[] = {Dash::dashed, Dash::dash_dotted, Dash::solid};
-    for (std::size_t m = 0; m < c.models.size(); ++m)
+    for (const auto m : indices(c.models))
       models.push_back(figure.add(std::string(name_of_model(c.models[m].model)),
                                   line_of(case_colour(m + 1), kDashes[m % std::size(kDashes)])));
   }
@@ -42,7 +43,7 @@ void add_curves(Panel& panel, const Look& look, const ReferenceComparison& r, bo
   }
   for (std::size_t m = 0; with_models && m < r.models.size(); ++m) {
     Series line{look.models[m], {{}}};
-    for (std::size_t k = 0; k < r.models[m].computed.size(); ++k)
+    for (const auto k : indices(r.models[m].computed))
       if (const double y = r.models[m].computed[k]; std::isfinite(y))
         line.parts[0].push_back(place(r.reference.readings[k].along, y));
     panel.series.push_back(std::move(line));

@@ -1,4 +1,5 @@
 #include "prs/bodies/body_models.h"
+#include "prs/indices.h"
 #include "prs/input/field.h"
 
 namespace prs::input {
@@ -222,7 +223,7 @@ void alternatives(Choices& io, contact::FilmDirection& d) {
 
 void alternatives(Choices& io, LubricantName& n) {
   const std::span<const NamedLubricant> known = named_lubricants();
-  for (std::size_t i = 0; i < known.size(); ++i) io(known[i].name, n, LubricantName{i}, known[i].what);
+  for (const auto i : indices(known)) io(known[i].name, n, LubricantName{i}, known[i].what);
 }
 
 void alternatives(Choices& io, BackDriving& b) {
@@ -301,16 +302,16 @@ void fields(const Fields& io, Mechanism& m) {
   const Quantity diameter{unit::length, positive};
   const Quantity flank_angle{unit::angle, Bounds{std::numbers::pi / 180, 89 * std::numbers::pi / 180}};
 
-  io("type", m.type, Choice{}, required, "Kind of mechanism");
-  io("geometry", m.geometry, Choice{}, "What is given of the geometry");
-  io("profile_plane", m.profile_plane, Choice{}, "Plane in which flank angle and profile radius are measured");
+  io("type", m.type, required, "Kind of mechanism");
+  io("geometry", m.geometry, "What is given of the geometry");
+  io("profile_plane", m.profile_plane, "Plane in which flank angle and profile radius are measured");
 
   const bool simulation = m.geometry == Mechanism::Geometry::simulation;
   const Presence in_simulation = required_only_if(simulation, "only with `geometry: simulation`");
   const Presence in_design = optional_only_if(!simulation, "only with `geometry: design`");
 
   io("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of screw and nut; > 0 right-handed");
-  io("starts", m.starts, Block{}, required, "Numbers of thread starts");
+  io("starts", m.starts, required, "Numbers of thread starts");
   io("pitch", m.pitch, Each{diameter, optional}, "Measured axial pitch of parts where it differs from lead / starts");
   io("flank_angle", m.flank_angle, OneOrEach{flank_angle}, required, "Flank angle, from the plane normal to the axis");
   io("pitch_diameter", m.pitch_diameter, Keys{[&](const Fields& part) {
@@ -347,7 +348,7 @@ void fields(const Fields& io, Bearing& b) {
 }
 
 void fields(const Fields& io, Rings& r) {
-  io("carried_by", r.carrier, Choice{},
+  io("carried_by", r.carrier,
      "What they are fixed to; nut of a standard mechanism, screw of an inverted one by "
      "default");
   io("stiffness", r.stiffness, Held{unit::stiffness}, "Of a ring against it");
@@ -377,7 +378,7 @@ void fields(const Fields& io, Drive& d) {
 
 void fields(const Fields& io, ExtraMass& m) {
   io("name", m.name, Text{"table"}, "Its name");
-  io("carried_by", m.carrier, Choice{}, required, "What it goes with");
+  io("carried_by", m.carrier, required, "What it goes with");
   io("position", m.position, Quantity{unit::length}, required,
      "Section that it is fixed to, counted as positions on the nut");
   io("mass", m.mass, Quantity{unit::mass, not_negative}, "Mass");
@@ -390,15 +391,15 @@ void fields(const Fields& io, Structure::Screw& s) {
   io("bore", s.bore, length, "Diameter of the bore");
   io("free_length", s.free_length, length, "From the loaded section to the first contact");
   io("far_length", s.far_length, length, "Behind the last contact; `mechanism: full`");
-  io("bearings", s.bearings, List{Block{}}, "What holds the screw across the axis; `mechanism: full`");
-  io("drive", s.drive, Block{}, "What turns the screw, for modes; `mechanism: full`");
+  io("bearings", s.bearings, "What holds the screw across the axis; `mechanism: full`");
+  io("drive", s.drive, "What turns the screw, for modes; `mechanism: full`");
 }
 
 void fields(const Fields& io, Structure::Roller& r) {
   const Quantity length{unit::length, positive};
   io("end_length", r.end_length, length, required, "Length of each plain end");
   io("end_diameter", r.end_diameter, length, required, "Diameter of the plain ends");
-  io("guidance", r.guidance, Choice{}, "What holds the roller ends radially");
+  io("guidance", r.guidance, "What holds the roller ends radially");
   io("rings", r.rings, WordOrBlock{"carried_by"}, "The guide rings; `mechanism: full`");
 }
 
@@ -426,18 +427,17 @@ void fields(const Fields& io, Structure::Nut& n) {
   const Quantity length{unit::length, positive};
   io("length", n.length, length, required, "Axial length");
   io("outer_diameter", n.outer_diameter, length, required, "Outer diameter between flanges");
-  io("flanges", n.flanges, List{Block{}}, "Flanges; they may touch, not overlap");
-  io("thrust", n.thrust, Block{}, "Axial position of the constrained section, for each direction of the load");
-  io("shoulder", n.shoulder, Block{}, "Ring of the thrust face that the housing touches; `refined` and `influence`");
-  io("housing", n.housing, Block{}, "What holds the thrust section; `mechanism: full`");
+  io("flanges", n.flanges, "Flanges; they may touch, not overlap");
+  io("thrust", n.thrust, "Axial position of the constrained section, for each direction of the load");
+  io("shoulder", n.shoulder, "Ring of the thrust face that the housing touches; `refined` and `influence`");
+  io("housing", n.housing, "What holds the thrust section; `mechanism: full`");
 }
 
 void fields(const Fields& io, Structure& s) {
-  io("screw", s.screw, Block{}, "Dimensions of the screw other than its thread");
-  io("roller", s.roller, Block{}, required, "Dimensions of a roller other than its thread");
-  io("nut", s.nut, Block{}, required,
-     "The nut; axial positions count from its end that faces the loaded end of the screw");
-  io("masses", s.masses, List{Block{}}, "Rigid masses on screw and nut, for modes; `mechanism: full`");
+  io("screw", s.screw, "Dimensions of the screw other than its thread");
+  io("roller", s.roller, required, "Dimensions of a roller other than its thread");
+  io("nut", s.nut, required, "The nut; axial positions count from its end that faces the loaded end of the screw");
+  io("masses", s.masses, "Rigid masses on screw and nut, for modes; `mechanism: full`");
 }
 
 void fields(const Fields& io, Material& m) {
@@ -463,7 +463,7 @@ void fields(const Fields& io, PitchWave& w) {
 void fields(const Fields& io, PitchError& e) {
   const Quantity error{unit::length};
   io("linear", e.linear, error, "Growing from 0 at the first contact to this at the last");
-  io("periodic", e.periodic, Block{}, "A sine over the threads");
+  io("periodic", e.periodic, "A sine over the threads");
   OneOrMany list{e.list, e.lists};
   io("list", list, ForEachRoller{List{error}}, "One value a contact");
 }
@@ -512,9 +512,9 @@ void fields(const Fields& io, TurningThread& t) {
      "Tilt of the thread's axis");
   io("lead", t, Keys{[&](const Fields& keys) {
        keys("per_300_mm", t.per_300_mm, Quantity{unit::length}, "Proportional to length, > 0 threads too far apart");
-       keys("harmonics", t.harmonics, List{Block{}}, "Over a turn, each turn alike");
-       keys("waves", t.waves, List{Block{}}, "Along the part");
-       keys("measured", t.measured, Block{}, "As measured along the part");
+       keys("harmonics", t.harmonics, "Over a turn, each turn alike");
+       keys("waves", t.waves, "Along the part");
+       keys("measured", t.measured, "As measured along the part");
      }},
      "Lead deviation of the thread");
 }
@@ -541,16 +541,15 @@ void fields(const Fields& io, TurningRollers::Harmonic& h) {
 }
 
 void fields(const Fields& io, Turning& t) {
-  io("screw", t.thread.screw, Block{}, "Of the screw");
-  io("nut", t.thread.nut, Block{}, "Of the nut");
+  io("screw", t.thread.screw, "Of the screw");
+  io("nut", t.thread.nut, "Of the nut");
   io("roller", t.rollers, Keys{[&](const Fields& keys) {
        keys("eccentricity", t.rollers.eccentricity, around(t.rollers.eccentricity, Quantity{unit::length}),
             "Of the thread's axis against the heads");
        keys("wobble", t.rollers.wobble, around(t.rollers.wobble, Quantity{unit::angle}),
             "Tilt of the thread's axis about the roller's middle");
-       keys("lead", t.rollers, Keys{[&](const Fields& lead) {
-              lead("harmonics", t.rollers.harmonics, List{Block{}}, "Over a turn, each alike");
-            }},
+       keys("lead", t.rollers,
+            Keys{[&](const Fields& lead) { lead("harmonics", t.rollers.harmonics, "Over a turn, each alike"); }},
             "Lead deviation of the thread");
      }},
      "Of the rollers");
@@ -565,7 +564,7 @@ void fields(const Fields& io, Deviations& d) {
      "Pitch diameter of the rollers above the nominal one");
   io("crowning", d.crowning, Quantity{unit::length, not_negative},
      "Parabolic drop of the roller's pitch radius at first and last contact");
-  io("end_relief", d.end_relief, Block{}, "Straight taper at both ends");
+  io("end_relief", d.end_relief, "Straight taper at both ends");
   io("temperature", d.temperature, OneOrEach{temperature}, "Of the parts, uniform in each");
   io("reference_temperature", d.reference_temperature, temperature, "At which the nominal geometry holds");
   const List offsets{Quantity{unit::length}};
@@ -579,7 +578,7 @@ void fields(const Fields& io, Deviations& d) {
        side("nut", d.thread_eccentricity.nut, lateral(d.thread_eccentricity.nut, length), "Of the nut");
      }},
      "Of the thread against the axis of its body; `mechanism: full`");
-  io("turning", d.turning, Block{}, "Errors that turn with their part; `mechanism: full`");
+  io("turning", d.turning, "Errors that turn with their part; `mechanism: full`");
 }
 
 void fields(const Fields& io, ContactOverrides& c) {
@@ -590,30 +589,29 @@ void fields(const Fields& io, ContactOverrides& c) {
 }
 
 void fields(const Fields& io, RefinedEffects& e) {
-  io("core", e.core, Flag{}, "Sections at the thread's root");
-  io("shear", e.shear, Flag{}, "Shear in the roller's bending");
-  io("hoop", e.hoop, Flag{}, "Radial expansion of the nut, as a shell");
-  io("poisson", e.poisson, Flag{}, "Poisson's effect in screw and nut");
-  io("flange", e.flange, Flag{}, "Bending of the nut at flanges and shoulder");
-  io("radial", e.radial, Flag{}, "Radial compliance at a thread");
-  io("concentration", e.concentration, Flag{}, "Contacts as rows of points, not rings");
+  io("core", e.core, "Sections at the thread's root");
+  io("shear", e.shear, "Shear in the roller's bending");
+  io("hoop", e.hoop, "Radial expansion of the nut, as a shell");
+  io("poisson", e.poisson, "Poisson's effect in screw and nut");
+  io("flange", e.flange, "Bending of the nut at flanges and shoulder");
+  io("radial", e.radial, "Radial compliance at a thread");
+  io("concentration", e.concentration, "Contacts as rows of points, not rings");
 }
 
 void fields(const Fields& io, ModelOptions& m) {
-  io("mechanism", m.mechanism, Choice{}, "How much of the mechanism is modelled");
-  io("contact_phase", m.contact_phase, Choice{}, "Where the rollers touch along the axis; `mechanism: full`");
-  io("shear", m.shear, Flag{}, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
-  io("loads", m.loads, Choice{},
+  io("mechanism", m.mechanism, "How much of the mechanism is modelled");
+  io("contact_phase", m.contact_phase, "Where the rollers touch along the axis; `mechanism: full`");
+  io("shear", m.shear, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
+  io("loads", m.loads,
      "Of `solve`, slip, heat and life; static for `solve`, running for the others by default, "
      "where shares are solved");
-  io("bodies", m.bodies, Choice{}, "How screw, roller and nut deform");
-  io("refined", m.refined, Block{}, "Effects of `bodies: refined`, all by default");
-  io("accuracy", m.accuracy, Choice{}, "Meshes of `bodies: influence`");
-  io("roller_contacts", m.roller_contacts, Choice{},
-     "Where screw and nut touch a roller tooth; `refined` and `influence`");
-  io("tooth_compliance", m.tooth_compliance, Choice{}, "Tooth deflection on top of Hertz, which counts it twice");
-  io("roller", m.roller, Choice{}, "Whether the roller bends");
-  io("roller_shear", m.roller_shear, Flag{}, "Shear flexibility of the roller");
+  io("bodies", m.bodies, "How screw, roller and nut deform");
+  io("refined", m.refined, "Effects of `bodies: refined`, all by default");
+  io("accuracy", m.accuracy, "Meshes of `bodies: influence`");
+  io("roller_contacts", m.roller_contacts, "Where screw and nut touch a roller tooth; `refined` and `influence`");
+  io("tooth_compliance", m.tooth_compliance, "Tooth deflection on top of Hertz, which counts it twice");
+  io("roller", m.roller, "Whether the roller bends");
+  io("roller_shear", m.roller_shear, "Shear flexibility of the roller");
   io("patch_points", m.patch_points,
      Whole{kFewestPatchPoints, 1001, "as fewer points carry up to 91 % more than the load, and friction with it"},
      "Points along each axis of a contact patch; fewer than 9 miss its load");
@@ -623,14 +621,14 @@ void fields(const Fields& io, Travel& t) {
   io("turns", t.turns, Whole{-100'000, 100'000}, "Of the screw against the nut; < 0 back");
   io("steps", t.steps, Whole{4, 100'000}, "Positions in a turn");
   io("from", t.from, Quantity{unit::angle}, "Turn of the screw against the nut at the start");
-  io("turning_part", t.part, Choice{}, "Which part turns");
+  io("turning_part", t.part, "Which part turns");
   io("slip_ratio", t, SlipRatioOrNumber{}, "Turn of the carrier against the nut over the screw's");
 }
 
 void fields(const Fields& io, Modes& m) {
   io("count", m.count, Whole{1, 100'000}, "Number of modes, from the lowest");
-  io("axial_support", m.axial_support, Choice{}, "What holds the mechanism along its axis");
-  io("prestress", m.prestress, Flag{}, "Axial forces that stiffen or soften bending");
+  io("axial_support", m.axial_support, "What holds the mechanism along its axis");
+  io("prestress", m.prestress, "Axial forces that stiffen or soften bending");
   io("positions", m.positions, Whole{1, 100'000}, "Of the travel at which frequencies are found too; needs `travel`");
 }
 
@@ -638,10 +636,10 @@ void fields(const Fields& io, LoadCaseItem& l) {
   io("name", l.name, Text{}, "Name of the case, `case-1` for the first by default; a range makes NAME[0], NAME[1], ..");
   io("axial_force", l.axial_force, OneOrRange{Quantity{unit::force}}, required,
      "Axial load; > 0 with a direction, of either sign without");
-  io("share", l.share, Choice{}, "How the load spreads over the threads");
+  io("share", l.share, "How the load spreads over the threads");
 
   const Presence where = required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`");
-  io("direction", l.direction, Choice{}, where, "Sense of the load on the screw");
+  io("direction", l.direction, where, "Sense of the load on the screw");
   io("position", l.position, Quantity{unit::length}, where, "Axial position of the first roller contact on the nut");
   io("speed", l.speed, Quantity{unit::rotational_speed}, "In place of operation.speed");
 
@@ -663,12 +661,11 @@ void fields(const Fields& io, LoadCaseItem& l) {
        seat("nut_offset", s.nut_offset, lateral(s.nut_offset, length), "Displacement");
      }},
      "Of the seat of the nut; `mechanism: full`");
-  io("orbit", s.orbit, Block{},
+  io("orbit", s.orbit,
      "A turn of the carrier: rollers and rings turn with their errors, errors of screw and nut "
      "stand still; `mechanism: full`");
-  io("travel", l.travel, Block{},
-     "Positions of the turning mechanism, whose parts carry their errors along; `mechanism: full`");
-  io("modes", l.modes, Block{}, "Natural frequencies under the load; `mechanism: full`");
+  io("travel", l.travel, "Positions of the turning mechanism, whose parts carry their errors along; `mechanism: full`");
+  io("modes", l.modes, "Natural frequencies under the load; `mechanism: full`");
 }
 
 void fields(const Fields& io, SpatialLoad::Orbit& o) {
@@ -692,7 +689,7 @@ void fields(const Fields& io, LoadSweep& l) {
 
 void fields(const Fields& io, Preload& p) {
   const Quantity length{unit::length, positive};
-  io("arrangement", p.arrangement, Choice{}, required, "What pushes against what");
+  io("arrangement", p.arrangement, required, "What pushes against what");
 
   const Presence in_two_nuts =
       required_only_if(p.arrangement == Preload::Arrangement::double_nut, "only with `arrangement: double_nut`");
@@ -705,10 +702,10 @@ void fields(const Fields& io, Preload& p) {
      "Axial play instead of preload");
   io("position", p.position, Quantity{unit::length}, required,
      "Axial position of the first roller contact on the first nut");
-  io("spacer", p.spacer, Block{}, in_two_nuts, "Ring between the nuts, of their material");
+  io("spacer", p.spacer, in_two_nuts, "Ring between the nuts, of their material");
   io("distance", p.distance, length, in_two_nuts,
      "From the last contact of the first nut to the first one of the second");
-  io("load", p.load, Block{}, required, "External axial loads of the curve");
+  io("load", p.load, required, "External axial loads of the curve");
   io("load_case", p.load_case, Text{"pull"},
      "With `heat`: the load case whose steady temperatures the parts have; the first by default");
   io("lost_motion_load", p.lost_motion_load, Quantity{unit::force, positive},
@@ -725,15 +722,15 @@ void fields(const Fields& io, HistorySource& h) {
   io("file", h.file, Text{"forces.csv"}, required,
      "Comma-separated values with a heading, one row per sample; relative to this file");
   io("sha256", h.sha256, Text{}, "Of the file, which then may stand anywhere; another is refused");
-  io("force", h.force, Block{}, required, "Axial force, > 0 in tension");
-  io("position", h.position, Block{}, "Axial position of the nut on the screw; it grows where tension drives");
-  io("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),
+  io("force", h.force, required, "Axial force, > 0 in tension");
+  io("position", h.position, "Axial position of the nut on the screw; it grows where tension drives");
+  io("speed", h.speed, optional_only_if(!h.position, "in place of `position`"),
      "Of the screw against the nut, with the sign of `operation.speed`: > 0 where `position` falls (left-handed: "
      "grows); else `operation.speed`");
-  io("time", h.time, Block{}, "Time of the sample");
+  io("time", h.time, "Time of the sample");
   io("interval", h.interval, Quantity{unit::duration, positive}, optional_only_if(!h.time, "in place of `time`"),
      "Between two samples");
-  io("driven_by", h.driven_by, Choice{},
+  io("driven_by", h.driven_by,
      "Who drives, for running loads: travel by default where position or speed stand, else screw");
   io("hysteresis", h.hysteresis, Quantity{unit::force, not_negative}, "Ranges up to this are no load cycles");
   io("bins", h.bins, Whole{1, 200}, "Of the matrix of cycles, along each axis");
@@ -741,7 +738,7 @@ void fields(const Fields& io, HistorySource& h) {
 
 void fields(const Fields& io, SpectrumLoad& l) {
   io("force", l.force, Quantity{unit::force, positive}, required, "Axial load");
-  io("direction", l.direction, Choice{}, required, "Sense of the load on the screw");
+  io("direction", l.direction, required, "Sense of the load on the screw");
   constexpr std::string_view one = "as one of revolutions, distance, duration and share";
   const Bounds revolutions{.least = 0.0, .greatest = 1e15, .least_excluded = true};
   io("revolutions", l.revolutions, Number{revolutions, "1000"}, "Of the screw against the nut under the load");
@@ -752,15 +749,15 @@ void fields(const Fields& io, SpectrumLoad& l) {
   const bool measured = l.revolutions || l.distance || l.duration;
   io("share", l.share, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}},
      required_only_if(!measured, one), "Of the revolutions of the spectrum");
-  io("driven_by", l.driven_by, Choice{}, "Who drives, for running loads");
+  io("driven_by", l.driven_by, "Who drives, for running loads");
 }
 
 void fields(const Fields& io, Life& l) {
-  io("history", l.history, Block{}, "Loads over time or travel, from a file");
+  io("history", l.history, "Loads over time or travel, from a file");
   io("spectrum", l.spectrum, List{Block{}, l.history ? 0 : 1}, required_only_if(!l.history, "in place of `history`"),
      "Loads and how long each acts");
-  io("share", l.share, Choice{}, "How the load spreads over the threads");
-  io("temperatures", l.temperatures, Choice{}, "Of the parts, with a block `heat`");
+  io("share", l.share, "How the load spreads over the threads");
+  io("temperatures", l.temperatures, "Of the parts, with a block `heat`");
   io("position", l.position, Quantity{unit::length},
      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`"),
      "Axial position of the first roller contact on the nut");
@@ -795,7 +792,7 @@ void fields(const Fields& io, Life& l) {
 void fields(const Fields& io, MeasureOptions::Shaft& s) {
   io("length", s.length, Quantity{unit::length, positive, "1 m"}, required,
      "Greatest distance between the supports of the screw");
-  io("ends", s.ends, Choice{}, required, "How the screw is held at both ends of it");
+  io("ends", s.ends, required, "How the screw is held at both ends of it");
   io("stroke", s.stroke, Quantity{unit::length, positive, "200 mm"},
      "Way of the nut along the screw, for which the shaft must be long enough");
 }
@@ -805,7 +802,7 @@ void fields(const Fields& io, MeasureOptions::System::Shaft& s) {
   io("length", s.length, length, required,
      "From the loaded section of the screw to the axial bearing, or between two of them; that of "
      "`measures.shaft` is another one, for buckling and critical speed");
-  io("axial", s.axial, Choice{}, "Where the shaft is held along its axis");
+  io("axial", s.axial, "Where the shaft is held along its axis");
   const bool two_bearings = s.axial == MeasureOptions::System::Axial::both_ends;
   io("from_bearing", s.from_bearing, length, required_only_if(two_bearings, "only with `axial: both_ends`"),
      "From the nearer axial bearing to the loaded section");
@@ -815,7 +812,7 @@ void fields(const Fields& io, MeasureOptions::System::Shaft& s) {
 
 void fields(const Fields& io, MeasureOptions::System& s) {
   const Quantity stiffness{unit::stiffness, positive, "600 N/um"};
-  io("shaft", s.shaft, Block{},
+  io("shaft", s.shaft,
      "Stretch and wind-up of the screw's shaft; not `measures.shaft`, whose length is that for "
      "buckling and critical speed");
   io("support_bearing", s.support_bearing, stiffness, "Of all bearings of the shaft together");
@@ -842,8 +839,8 @@ void fields(const Fields& io, MeasureOptions& m) {
      "Of the whole mechanism, as catalogues state it, for the estimate of efficiency");
   io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive, "900 MPa"},
      "Of the screw's shaft, for short columns");
-  io("shaft", m.shaft, Block{}, "Of the screw, for buckling and critical speed");
-  io("system", m.system, Block{}, "What is in series with the mechanism, for the stiffness of the axis");
+  io("shaft", m.shaft, "Of the screw, for buckling and critical speed");
+  io("system", m.system, "What is in series with the mechanism, for the stiffness of the axis");
 }
 
 void fields(const Fields& io, ViscosityPoint& p) {
@@ -876,7 +873,7 @@ void fields(const Fields& io, Lubricant& l) {
      optional_only_if(!by_temperature, "in place of `temperature`"),
      "Dynamic viscosity at ambient pressure in operation");
   // With `heat` the temperature itself may be absent.
-  io("walther", l.walther, Block{}, optional_only_if(by_temperature || !l.viscosity, "only with `temperature`"),
+  io("walther", l.walther, optional_only_if(by_temperature || !l.viscosity, "only with `temperature`"),
      "log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K), nu = viscosity/density");
   io("viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
      Presence{by_temperature && !l.walther && !l.name, !l.viscosity && !l.walther,
@@ -888,10 +885,10 @@ void fields(const Fields& io, Lubricant& l) {
      "Pressure-viscosity coefficient; with `name` estimated from the viscosity");
   io("eyring_stress", l.eyring_stress, stress, named, "Eyring shear stress; with `name` 5 MPa by default");
   io("film", l.film, Keys{[&](const Fields& film) {
-       film("direction", l.film.direction, Choice{}, "Direction of rolling that the central film takes");
+       film("direction", l.film.direction, "Direction of rolling that the central film takes");
        film("starvation", l.film.starvation, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}, "0.7"},
             "Film over that of a full inlet, measured or chosen");
-       film("inlet_heating", l.film.inlet_heating, Block{},
+       film("inlet_heating", l.film.inlet_heating,
             "Film that the shear at the inlet warms and thins (Gupta et al. 1992)");
      }},
      "Central film of the contacts");
@@ -931,7 +928,7 @@ void fields(const Fields& io, HeadFriction::Mixed& m) {
 
 void fields(const Fields& io, HeadBearing& b) {
   const Quantity length{unit::length, positive};
-  io("friction", b.friction, Choice{}, "How a head rubs");
+  io("friction", b.friction, "How a head rubs");
   const Presence of_film = required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
   io("length", b.length, length, of_film, "Axial length of one head's bearing");
   io("diameter", b.diameter, length, required, "Diameter of the roller's head");
@@ -944,7 +941,7 @@ void fields(const Fields& io, Carrier& c) {
   io("roller_torque", c.roller_torque, torque, "Resists a roller's spin");
   io("screw_torque", c.screw_torque, torque, "Resists the carrier on the screw");
   io("nut_torque", c.nut_torque, torque, "Resists the carrier on the nut");
-  io("bearing", c.bearing, Block{}, "Plain bearings of the roller's heads, in place of roller_torque");
+  io("bearing", c.bearing, "Plain bearings of the roller's heads, in place of roller_torque");
   io("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
      "Of the gears between rollers and nut, inverted: and screw");
 }
@@ -1006,11 +1003,11 @@ void mission_fields(const Fields& io, std::optional<int>& cycles, std::optional<
 
 void fields(const Fields& io, Heat& h) {
   io("ambient", h.ambient, Quantity{unit::temperature, positive}, required, "Temperature of the surroundings");
-  io("conductance", h.conductance, Block{}, required, "Heat flow over the difference of temperature");
-  io("losses", h.losses, Choice{}, "Temperatures at which losses and loads are taken");
+  io("conductance", h.conductance, required, "Heat flow over the difference of temperature");
+  io("losses", h.losses, "Temperatures at which losses and loads are taken");
   io("duty", h.duty, List{Block{}, 1}, "Load cases and rests one after the other, again and again");
   mission_fields(io, h.cycles, h.start, !h.duty.empty());
-  io("capacity", h.capacity, Block{}, "Heat capacities of the parts, for `duty`");
+  io("capacity", h.capacity, "Heat capacities of the parts, for `duty`");
   io("specific_heat", h.specific_heat, Quantity{unit::specific_heat, positive},
      optional_only_if(!h.capacity, "in place of `capacity`"),
      "Of all parts, for `duty`: their masses are those of `prs measures`, the screw's over "
@@ -1057,7 +1054,7 @@ void fields(const Fields& io, MotorDuty& d) {
      "Least torque of the brake over that of the holding force");
   io("drag_torque", d.drag_torque, Quantity{unit::torque, not_negative}, "Against the motion, at the part that turns");
   io("holding_force", d.holding_force, Quantity{unit::force, not_negative}, "Largest at rest");
-  io("back_driving", d.back_driving, Choice{}, "Whether the load may turn the screw");
+  io("back_driving", d.back_driving, "Whether the load may turn the screw");
   io("driven_back", d.driven_back, Text{"back-driving"},
      "Load case that the load drives unless the screw locks itself");
   io("cycle", d.cycle, List{Block{}, 1}, required, "Steps of constant acceleration, again and again");
@@ -1143,7 +1140,7 @@ void fields(const Fields& io, ConstraintItem& c) {
 }
 
 void fields(const Fields& io, CompromiseItem& c) {
-  io("by", c.by, Choice{}, "Which design of the front is chosen, objectives scaled by the extent of the front");
+  io("by", c.by, "Which design of the front is chosen, objectives scaled by the extent of the front");
   io("weights", c.weights, List{Number{not_negative}, 1},
      required_only_if(c.by == Compromise::By::weights, "only with `by: weights`"), "One for each objective");
   io("of", c.of, kResponsePath, required_only_if(c.by == Compromise::By::best, "only with `by: best`"),
@@ -1151,19 +1148,19 @@ void fields(const Fields& io, CompromiseItem& c) {
 }
 
 void fields(const Fields& io, OptimizeItem& o) {
-  io("command", o.command, Choice{}, required, "What each design runs through");
+  io("command", o.command, required, "What each design runs through");
   io("variables", o.variables, List{Block{}, 1}, required, "The inputs that may change");
   io("objectives", o.objectives, List{Block{}, 1, 8}, required, "What shall be as small or as large as possible");
   io("constraints", o.constraints, List{Block{}, 1}, "What a design must keep");
-  io("thread_constraints", o.thread_constraints, Flag{},
+  io("thread_constraints", o.thread_constraints,
      "Threads that are neither sharp nor cut into each other and touch on their flanks only, "
      "Yao et al. (51) to (60)");
-  io("algorithm", o.algorithm, Choice{}, "How designs are searched; nsga2, or sade of a single objective by default");
-  io("check", o.check, Choice{}, "A second search to compare with");
+  io("algorithm", o.algorithm, "How designs are searched; nsga2, or sade of a single objective by default");
+  io("check", o.check, "A second search to compare with");
   io("population", o.population, Whole{8, 2'000}, "Designs of a generation");
   io("generations", o.generations, Whole{1, 10'000}, "The first, random one included");
   io("seed", o.seed, Whole{0, std::int64_t{1} << 53}, "Of the random numbers: the same seed finds the same designs");
-  io("compromise", o.compromise, Block{}, "Which design of the front is chosen");
+  io("compromise", o.compromise, "Which design of the front is chosen");
 }
 
 void fields(const Fields& io, WrittenInterval& i) {
@@ -1188,16 +1185,16 @@ void fields(const Fields& io, FactorItem& f) {
      "own");
   io("values", f.values, ListOrRange{},
      "As they would stand in the file; one of them, all as likely, in a plan with samples");
-  io("uniform", f.uniform, Block{}, "In a plan with samples, in place of `values`: drawn from an interval");
-  io("log_uniform", f.log_uniform, Block{}, "The same, uniform in the logarithm");
-  io("normal", f.normal, Block{}, "In a plan with samples, in place of `values`: normally distributed");
+  io("uniform", f.uniform, "In a plan with samples, in place of `values`: drawn from an interval");
+  io("log_uniform", f.log_uniform, "The same, uniform in the logarithm");
+  io("normal", f.normal, "In a plan with samples, in place of `values`: normally distributed");
   io("within", f.within, Verbatim{},
      "In a plan with samples, in place of `values`: uniform about what the file says, by a "
      "share `3 %` or a half width `0.02 mm` to both sides, or from the lower to the upper "
      "deviation `[-0.01 mm, 0.03 mm]`");
   io("label", f.label, Text{"lead"}, "Its name in tables and figures");
-  io("together", f.together, Flag{}, "Whether the entries of a list, each drawn on its own, count as one factor");
-  io("kept", f.kept, Flag{}, "Whether a plan of tolerances draws it and never halves it");
+  io("together", f.together, "Whether the entries of a list, each drawn on its own, count as one factor");
+  io("kept", f.kept, "Whether a plan of tolerances draws it and never halves it");
   io("with", f.companions, List{Block{}, 1}, "Inputs that change together with this one, value by value");
 }
 
@@ -1214,22 +1211,22 @@ void fields(const Fields& io, Envelope::Target& t) {
 void fields(const Fields& io, EnvelopePointItem& p) {
   io("name", p.name, Text{"A"}, required, "In tables and figures");
   io("at", p.at, List{Verbatim{}, 2, 2}, "Values of the two factors");
-  io("wanted", p.wanted, Choice{}, "In place of `at`");
+  io("wanted", p.wanted, "In place of `at`");
   io("reach", p.reach, List{Block{}, 1, 2},
      "In place of `at`: one response, and the envelope as good as it gets along the lines of "
      "the grid; or two");
 }
 
 void fields(const Fields& io, EnvelopeItem& e) {
-  io("combine", e.combine, Choice{}, "How the measures become one");
-  io("normalise", e.normalise, Choice{}, "What each measure is divided by before");
+  io("combine", e.combine, "How the measures become one");
+  io("normalise", e.normalise, "What each measure is divided by before");
   io("measures", e.measures, List{Block{}, 1}, required, "What makes a design good or bad");
   io("points", e.points, List{Block{}, 1}, "Designs to read off, each with one of at, wanted, reach");
 }
 
 void fields(const Fields& io, StudyItem& s) {
-  io("command", s.command, Choice{}, required, "What each design runs through");
-  io("plan", s.plan, Choice{}, "How designs are chosen");
+  io("command", s.command, required, "What each design runs through");
+  io("plan", s.plan, "How designs are chosen");
   const std::string_view sampled =
       "only with the plans latin_hypercube, sobol, monte_carlo, sobol_indices and tolerances";
   io("samples", s.samples, Whole{1, kMostDesigns - 1}, required_only_if(is_sampled(s.plan), sampled),
@@ -1241,7 +1238,7 @@ void fields(const Fields& io, StudyItem& s) {
      "What is recorded of each design: paths into the first load case of its JSON document or "
      "into the document, of an array also `.max`, `.min`, `.mean` or `[k]`; a choice that suits "
      "the command by default, with an envelope what it needs");
-  io("envelope", s.envelope, Block{}, optional_only_if(s.plan == Plan::grid, "with the plan grid"),
+  io("envelope", s.envelope, optional_only_if(s.plan == Plan::grid, "with the plan grid"),
      "Maps of measures over two factors, made one, and designs read off them");
 }
 
@@ -1265,8 +1262,8 @@ void fields(const Fields& io, FitParameterItem& p) {
   io("from", p.from, Verbatim{}, required, "Least value");
   io("to", p.to, Verbatim{}, required, "Greatest value");
   io("start", p.start, Verbatim{}, "Where the search starts; by default what the file says, else the key's default");
-  io("scale", p.scale, Choice{}, "Scale on which search, priors and intervals are linear");
-  io("prior", p.prior, Block{}, "What is known besides the curves");
+  io("scale", p.scale, "Scale on which search, priors and intervals are linear");
+  io("prior", p.prior, "What is known besides the curves");
   io("label", p.label, Text{"friction"}, "Its name in tables and figures");
 }
 
@@ -1300,23 +1297,23 @@ void fields(const Fields& io, FitCurveItem& c) {
   io("response", c.response, Text{"slip.torque_screw_Nm"}, required,
      "What was measured: a response of `prs list responses`, or of a series as "
      "`preload.loads[].axial_displacement_um`");
-  io("measured", c.measured, Block{}, required, "The readings");
-  io("conditions", c.conditions, List{Block{}}, "What each row sets, in this order");
-  io("along", c.along, Block{}, "Of a series: where the rows stand");
+  io("measured", c.measured, required, "The readings");
+  io("conditions", c.conditions, "What each row sets, in this order");
+  io("along", c.along, "Of a series: where the rows stand");
   io("deviation", c.deviation, Verbatim{"0.05 N m"},
      "Standard deviation of a reading: a value, a share of the reading (`1 %`), `{column: .., unit: ..}`, or "
      "`estimated`, which is the default");
-  io("offset", c.offset, Flag{}, "Whether an unknown constant is added: the zero of a probe");
+  io("offset", c.offset, "Whether an unknown constant is added: the zero of a probe");
   io("loss", c.loss, Verbatim{"huber"},
      "`squares` (default), `huber`, `cauchy`, `{huber: 1.345}` or `{cauchy: 2.385}`");
-  io("use", c.use, Choice{}, "What the curve is for");
+  io("use", c.use, "What the curve is for");
   io("command", c.command, Text{"slip"}, kFitCommand);
 }
 
 void fields(const Fields& io, FitBandItem& b) {
   io("name", b.name, Text{"loss"}, required, "Of the band");
   io("response", b.response, Text{"slip.power_loss_W"}, required, "A response of any command");
-  io("conditions", b.conditions, List{Block{}}, "Where it is computed");
+  io("conditions", b.conditions, "Where it is computed");
   io("command", b.command, Text{"slip"}, kFitCommand);
 }
 
@@ -1327,7 +1324,7 @@ void fields(const Fields& io, FitItem& f) {
   io("starts", f.starts, Whole{1, 1000}, "Searches: from the file's values, then from points spread over the bounds");
   io("profile", f.profile, Verbatim{"[roughness]"},
      "Paths whose intervals are searched for, too, or `true` for all of them");
-  io("bands", f.bands, List{Block{}}, "Responses that are computed with their uncertainty");
+  io("bands", f.bands, "Responses that are computed with their uncertainty");
 }
 
 void fields(const Fields& io, ReferenceItem::Column& c) {
@@ -1352,9 +1349,8 @@ void fields(const Fields& io, ReferenceItem& r) {
   io("load_case", r.load_case, Text{"push"}, "Its load case; by default the column `load_case`, or the only one");
   io("response", r.response, Text{"screw.load_rate_percent"},
      "Of the load case, by `prs solve` or `prs slip`: an array over threads, else a number");
-  io("measured", r.measured, Block{}, "The reference's numbers");
-  io("along", r.along, Block{},
-     "What the rows stand over; by default `thread` or `force_kN`, where there is such a column");
+  io("measured", r.measured, "The reference's numbers");
+  io("along", r.along, "What the rows stand over; by default `thread` or `force_kN`, where there is such a column");
   io("deviation", r.deviation, Verbatim{"1 % of each value"},
      "Of the reference itself: as `tolerance`, or `{column: .., unit: ..}`");
   io("tolerance", r.tolerance, Verbatim{"10 % of the mean"},
@@ -1372,7 +1368,7 @@ void fields(const Fields& io, ReportInput& r) {
   io("author", r.author, Text{"\"Author\""}, "By whom");
   io("number", r.number, Text{"\"C-1234\""}, "Of the calculation or the drawing");
   io("revision", r.revision, Text{"\"A\""}, "Of the calculation");
-  io("butterfly", r.butterfly, Choice{}, "Shares of the threads over the load and beside references, in all pictures");
+  io("butterfly", r.butterfly, "Shares of the threads over the load and beside references, in all pictures");
 }
 
 void alternatives(Choices& io, SignalTerm::Spacing& s) {
@@ -1451,14 +1447,14 @@ Value value_of(SignalTerm& term, const OneOrSum& kind) {
          of("from", s.from, frequency, required, "Frequency at t = 0");
          of("to", s.to, frequency, required, "Frequency at the end and from then on");
          of("duration", s.duration, late, required, "From one to the other");
-         of("spacing", s.spacing, Choice{}, "How the frequency goes over time");
+         of("spacing", s.spacing, "How the frequency goes over time");
        }},
        "A sine whose frequency moves");
     io("file", term.file, KeysOf{[](const Fields& of, SignalTerm::File& f) {
          of("name", f.name, Text{"signal.csv"}, required,
             "Comma-separated values with a heading; relative to this file");
-         of("time", f.time, Block{}, required, "Times, which rise");
-         of("value", f.value, Block{}, required, "Values, straight between");
+         of("time", f.time, required, "Times, which rise");
+         of("value", f.value, required, "Values, straight between");
        }},
        "As `points`, from a file");
   };
@@ -1495,10 +1491,10 @@ void fields(const Fields& io, ResponseInput::Controller& c) {
   io("largest_torque", c.largest_torque, Quantity{unit::torque, positive}, "Bound of the torque; none by default");
   io("largest_speed", c.largest_speed, Quantity{unit::rotational_speed, positive},
      "Largest speed that the loop may demand; none by default");
-  io("feedback", c.feedback, Choice{}, optional_only_if(c.position.has_value(), "only with `position`"),
+  io("feedback", c.feedback, optional_only_if(c.position.has_value(), "only with `position`"),
      "What the position loop measures");
-  io("speed_feed_forward", c.speed_feed_forward, Flag{},
-     optional_only_if(c.position.has_value(), "only with `position`"), "Whether the slope of the reference is added");
+  io("speed_feed_forward", c.speed_feed_forward, optional_only_if(c.position.has_value(), "only with `position`"),
+     "Whether the slope of the reference is added");
 }
 
 void fields(const Fields& io, ResponseInput::CurrentLoop& l) {
@@ -1512,10 +1508,9 @@ void fields(const Fields& io, ResponseInput::Motor& m) {
   io("damping", m.damping, Quantity{unit::rotational_damping, not_negative}, "Torque over speed");
   io("torque", m.torque, OneOrSum{{unit::torque}}, "Of the motor on its shaft; one of torque, speed, controller");
   io("speed", m.speed, OneOrSum{{unit::rotational_speed}}, "Prescribed, without jumps");
-  io("controller", m.controller, Block{}, "Of speed or position");
+  io("controller", m.controller, "Of speed or position");
   constexpr std::string_view kDriven = "only with `torque` or `controller`";
-  io("current_loop", m.current_loop, Block{}, optional_only_if(!m.speed, kDriven),
-     "Lag of the torque; none by default");
+  io("current_loop", m.current_loop, optional_only_if(!m.speed, kDriven), "Lag of the torque; none by default");
   io("cut_at", m.cut_at, Quantity{unit::duration, not_negative, "0.1 s"}, optional_only_if(!m.speed, kDriven),
      "From here on the commanded torque is 0; never by default");
 }
@@ -1570,14 +1565,14 @@ void fields(const Fields& io, ResponseInput::EndStop& s) {
 }
 
 void fields(const Fields& io, ResponseInput::EndStops& s) {
-  io("upper", s.upper, Block{}, "At large positions");
-  io("lower", s.lower, Block{}, "At small positions");
+  io("upper", s.upper, "At large positions");
+  io("lower", s.lower, "At small positions");
 }
 
 void fields(const Fields& io, ResponseInput::Shaft& s) {
   io("length", s.length, Quantity{unit::length, positive, "300 mm"}, required,
      "From the axial bearing to the loaded section at the start");
-  io("ends", s.ends, Choice{}, "Axial bearings of the shaft");
+  io("ends", s.ends, "Axial bearings of the shaft");
   io("span", s.span, Quantity{unit::length, positive, "900 mm"},
      required_only_if(s.ends == ResponseInput::Ends::fixed_fixed, "only with `ends: fixed_fixed`"),
      "Between the bearings");
@@ -1606,13 +1601,13 @@ void fields(const Fields& io, ResponseInput::FrequencyResponse& f) {
   io("from", f.from, Quantity{unit::frequency, positive, "10 Hz"}, required, "Lowest frequency");
   io("to", f.to, Quantity{unit::frequency, positive, "2 kHz"}, required, "Highest frequency");
   io("points", f.points, Whole{2, kMostSteps}, "Ends included");
-  io("spacing", f.spacing, Choice{}, "Of the frequencies");
+  io("spacing", f.spacing, "Of the frequencies");
   io("force", f.force, Quantity{unit::force}, "Of the working point; `load.force` at t = 0 by default");
   io("position", f.position, Quantity{unit::length}, "Of the working point; that of the start by default");
-  io("screw", f.screw, Choice{}, "What the screw does");
+  io("screw", f.screw, "What the screw does");
   io("speed", f.speed, Quantity{unit::rotational_speed, not_zero},
      required_only_if(f.screw == ResponseInput::ScrewState::rolling, "only with `screw: rolling`"), "Of the screw");
-  io("input", f.input, Choice{}, "What swings");
+  io("input", f.input, "What swings");
 }
 
 void fields(const Fields& io, ResponseInput& r) {
@@ -1622,50 +1617,49 @@ void fields(const Fields& io, ResponseInput& r) {
   io("tolerance", r.tolerance, Number{Bounds{.least = 1e-12, .greatest = 1e-3}, "1e-8"},
      "Of the integration, relative");
   io("motor", r.motor, Block{"{inertia: 5 kg cm^2, torque: 2 N m}"}, required, "What drives");
-  io("brake", r.brake, Block{}, "That closes and stays closed");
-  io("coupling", r.coupling, Block{}, "Between motor and screw; without it both are one rigid part");
-  io("screw", r.screw, Block{}, "What turns with the screw");
-  io("load", r.load, Block{}, required, "What moves along the axis");
-  io("material_damping", r.material_damping, Block{}, "Of the screw's flanks and bodies");
-  io("end_stops", r.end_stops, Block{}, "Springs that the load runs into");
-  io("shaft", r.shaft, Block{}, "Axial compliance of the shaft beyond the nut");
-  io("start", r.start, Block{}, "State at t = 0");
-  io("curves", r.curves, Block{}, "Range of force and friction that are computed, as `prs export` has them");
-  io("settling", r.settling, Block{}, "When the load comes to rest");
-  io("frequency_response", r.frequency_response, Block{}, "Small vibration about a state of rest or of even rolling");
+  io("brake", r.brake, "That closes and stays closed");
+  io("coupling", r.coupling, "Between motor and screw; without it both are one rigid part");
+  io("screw", r.screw, "What turns with the screw");
+  io("load", r.load, required, "What moves along the axis");
+  io("material_damping", r.material_damping, "Of the screw's flanks and bodies");
+  io("end_stops", r.end_stops, "Springs that the load runs into");
+  io("shaft", r.shaft, "Axial compliance of the shaft beyond the nut");
+  io("start", r.start, "State at t = 0");
+  io("curves", r.curves, "Range of force and friction that are computed, as `prs export` has them");
+  io("settling", r.settling, "When the load comes to rest");
+  io("frequency_response", r.frequency_response, "Small vibration about a state of rest or of even rolling");
 }
 
 void fields(const Fields& io, CaseFile& file) {
   Case& c = file.values;
-  io("mechanism", c.mechanism, Block{}, required, "The threads");
-  io("structure", c.structure, Block{}, "The parts between and around the threads");
+  io("mechanism", c.mechanism, required, "The threads");
+  io("structure", c.structure, "The parts between and around the threads");
   io("materials", c.materials, OneOrEach{Block{}}, "Elastic properties");
-  io("deviations", c.deviations, Block{}, "How the real parts differ from their nominal geometry");
-  io("contact", c.contact, Block{}, "Values that replace what the geometry gives, in the load distribution only");
-  io("model", c.model, Block{}, "Choices of the model");
+  io("deviations", c.deviations, "How the real parts differ from their nominal geometry");
+  io("contact", c.contact, "Values that replace what the geometry gives, in the load distribution only");
+  io("model", c.model, "Choices of the model");
   io("load_cases", file.load_cases, List{Block{}, 1}, "Loads, each on its own");
-  io("preload", c.preload, Block{}, "How the play is taken out, and the curve through zero, for `prs preload`");
-  io("life", c.life, Block{}, "Load history or spectrum for `prs life`");
-  io("measures", c.measures, Block{}, "Further inputs of the design measures");
-  io("bearings", c.bearings, Block{}, "At the ends of the shaft, for their life and the stiffness of the axis");
+  io("preload", c.preload, "How the play is taken out, and the curve through zero, for `prs preload`");
+  io("life", c.life, "Load history or spectrum for `prs life`");
+  io("measures", c.measures, "Further inputs of the design measures");
+  io("bearings", c.bearings, "At the ends of the shaft, for their life and the stiffness of the axis");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
   io("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}},
      "Rms roughness Rq of the flanks, for the film ratio");
-  io("lubricant", c.lubricant, Block{}, "The oil, or the base oil of the grease");
+  io("lubricant", c.lubricant, "The oil, or the base oil of the grease");
   io("friction", c.friction, ChoiceUnder{"model"}, "Law of friction");
-  io("wear", c.wear, Block{}, "Wear of the flanks, for `prs slip`");
-  io("operation", c.operation, Block{}, "How the mechanism runs");
-  io("carrier", c.carrier, Block{}, "What acts on the rollers besides the threads");
-  io("heat", c.heat, Block{}, "How the parts get rid of the heat of friction, for `prs slip`");
-  io("response", c.response, Block{}, "The screw in its drive, for `prs response`");
-  io("limits", file.limits, Block{}, "What the verdict of `prs check` and of the report holds the case against");
-  io("motor", file.motor, Block{},
-     "Demand of one cycle of the axis on motor and brake, and their limits, for `prs check`");
-  io("study", file.study, Block{}, "What `prs study` varies");
-  io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
-  io("fit", file.fit, Block{}, "What `prs fit` finds from measured curves");
+  io("wear", c.wear, "Wear of the flanks, for `prs slip`");
+  io("operation", c.operation, "How the mechanism runs");
+  io("carrier", c.carrier, "What acts on the rollers besides the threads");
+  io("heat", c.heat, "How the parts get rid of the heat of friction, for `prs slip`");
+  io("response", c.response, "The screw in its drive, for `prs response`");
+  io("limits", file.limits, "What the verdict of `prs check` and of the report holds the case against");
+  io("motor", file.motor, "Demand of one cycle of the axis on motor and brake, and their limits, for `prs check`");
+  io("study", file.study, "What `prs study` varies");
+  io("optimize", file.optimize, "What `prs optimize` varies, and its aims");
+  io("fit", file.fit, "What `prs fit` finds from measured curves");
   io("references", file.references, List{Block{}, 1, 100}, "Curves of other programs or tests, for `prs compare`");
-  io("report", c.report, Block{}, "Title block of `prs report`, and how pictures show shares");
+  io("report", c.report, "Title block of `prs report`, and how pictures show shares");
 }
 
 Value value_of(Range& range, const OneOrRange& kind) {
@@ -1689,7 +1683,7 @@ void fields(const Fields& io, WrittenRange& range) {
   io("from", range.from, Verbatim{}, required, "First value");
   io("to", range.to, Verbatim{}, required, "Last value, in the same unit");
   io("steps", range.steps, Whole{2, kMostSteps}, required, "Number of values, ends included");
-  io("spacing", range.spacing, Choice{}, "What is equidistant");
+  io("spacing", range.spacing, "What is equidistant");
 }
 
 Value value_of(WrittenValues& values, const ListOrRange&) {

@@ -7,6 +7,8 @@
 #include <new>
 #include <regex>
 
+#include "prs/indices.h"
+
 namespace prs::input {
 namespace {
 
@@ -227,7 +229,7 @@ bool CsvReader::next() {
   const std::vector<bool>& columns = parts_->decimal_commas;
   if (columns.empty()) return true;
   parts_->numbers.resize(parts_->fields.size());
-  for (std::size_t k = 0; k < parts_->fields.size(); ++k)
+  for (const auto k : indices(parts_->fields))
     if (write_with_point(parts_->fields[k], k < columns.size() && columns[k], parts_->numbers[k]))
       parts_->fields[k] = parts_->numbers[k];
   return true;

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "prs/indices.h"
+
 namespace prs::input {
 namespace {
 
@@ -25,9 +27,9 @@ struct EditDistance {
 EditDistance edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (const auto i : indices(a)) {
     std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
+    for (const auto j : indices(b)) {
       const std::size_t replaced = diagonal + (plain(a[i]) == plain(b[j]) ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "prs/indices.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/units.h"
 #include "prs/text.h"
@@ -414,8 +415,7 @@ bool needs_no_quotes(const std::string& text) {
   };
   static constexpr std::string_view kNullWords[] = {"null", "Null", "NULL"};
   return std::ranges::all_of(text, is_plain) && (is_alphanumeric(text.back()) || text.ends_with(" %")) &&
-         (is_alphanumeric(text.front()) || split_unit(text)) &&
-         std::ranges::find(kNullWords, text) == std::end(kNullWords) &&
+         (is_alphanumeric(text.front()) || split_unit(text)) && !contains(kNullWords, text) &&
          scalar_type({.kind = Node::Kind::scalar, .text = text}) == ScalarType::text;
 }
 
@@ -538,7 +538,7 @@ bool is_per_part(const Node& node) {
 ScalarType scalar_type(const Node& scalar) {
   if (scalar.quoted) return ScalarType::text;
   static constexpr std::string_view kBooleans[] = {"true", "True", "TRUE", "false", "False", "FALSE"};
-  if (std::ranges::find(kBooleans, scalar.text) != std::end(kBooleans)) return ScalarType::boolean;
+  if (contains(kBooleans, scalar.text)) return ScalarType::boolean;
   return parse_number(scalar.text) ? ScalarType::number : ScalarType::text;
 }
 
@@ -548,7 +548,7 @@ Node read_document(const Source& source, ErrorList& errors) {
     errors.fail({}, "",
                 "got an empty file; expected a map with the key `mechanism`; `prs new FILE` "
                 "writes one to start from");
-  for (std::size_t i = 0; i < source.overrides.size(); ++i) apply_override(*root, source, i, errors);
+  for (const auto i : indices(source.overrides)) apply_override(*root, source, i, errors);
   return std::move(*root);
 }
 

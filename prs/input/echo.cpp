@@ -4,6 +4,7 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "prs/indices.h"
 #include "prs/input/described_file.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
@@ -57,7 +58,7 @@ class Lister {
   }
   void list(const Node* node, const std::string& path, const ListValue& items) {
     if (items.size() == 0 && items.least == 0) entries_.push_back({path, "[]", node == nullptr});
-    for (std::size_t i = 0; i < items.size(); ++i)
+    for (const auto i : indices(items))
       list(node ? &node->children[i] : nullptr, fmt::format("{}[{}]", path, i), items.entry(i));
   }
   void list(const Node* node, const std::string& path, const OneOr& value) {
@@ -92,7 +93,7 @@ std::string_view stripped(std::string_view text) {
 /// Offset of the comment of a line, at its `#`; npos without one.
 std::size_t comment_in(std::string_view line) {
   char quote = 0;
-  for (std::size_t k = 0; k < line.size(); ++k) {
+  for (const auto k : indices(line)) {
     const char c = line[k], before = k > 0 ? line[k - 1] : ' ';
     if (quote != 0)
       quote = c == quote ? 0 : quote;
@@ -116,7 +117,7 @@ std::optional<Mark> mark_in(std::string_view comment) {
   comment.remove_prefix(kWord.size());
   if (!comment.starts_with(' ') && !comment.starts_with(':')) return std::nullopt;
   int depth = 0;
-  for (std::size_t k = 0; k < comment.size(); ++k) {
+  for (const auto k : indices(comment)) {
     const char c = comment[k];
     depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
     if (c == ':' && depth == 0) return Mark{stripped(comment.substr(0, k)), stripped(comment.substr(k + 1))};
@@ -142,7 +143,7 @@ using Reasons = std::unordered_map<const Node*, std::string>;
 void mark(const Node& value, const Node* was, std::string_view reason, Reasons& reasons) {
   if (value.place.argument >= 0 || (was && was->kind != value.kind)) return;
   if (value.kind == Node::Kind::scalar && (!was || was->text == value.text)) reasons.try_emplace(&value, reason);
-  for (std::size_t k = 0; k < value.children.size(); ++k) {
+  for (const auto k : indices(value.children)) {
     const Node& child = value.children[k];
     const Node* before = nullptr;
     if (was) {
@@ -330,7 +331,7 @@ bool insert(std::string& text, const Node& root, const std::string& path, const 
 
 bool is_same(const Node& a, const Node& b) {
   if (a.kind != b.kind || a.text != b.text || a.children.size() != b.children.size()) return false;
-  for (std::size_t k = 0; k < a.children.size(); ++k) {
+  for (const auto k : indices(a.children)) {
     const Node* other = a.kind == Node::Kind::map ? find(b, a.children[k].key) : &b.children[k];
     if (!other || !is_same(a.children[k], *other)) return false;
   }
@@ -413,8 +414,7 @@ Json json_of(const Node* node, const ChoiceUnderKey& under) {
 
 Json json_of(const Node* node, const ListValue& items) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < items.size(); ++i)
-    list.push_back(json_of(node ? &node->children[i] : nullptr, items.entry(i)));
+  for (const auto i : indices(items)) list.push_back(json_of(node ? &node->children[i] : nullptr, items.entry(i)));
   return list;
 }
 
@@ -503,7 +503,7 @@ std::string input_sha256(const Source& source, std::optional<Command> command) {
         }
     });
   const auto add = [&](const auto& items, const char* list) {
-    for (std::size_t k = 0; k < items.size(); ++k)
+    for (const auto k : indices(items))
       texts.push_back(named_file_text(items[k].file, fmt::format("{}[{}].file", list, k), source));
   };
   if (command == Command::fit && file.fit) add(file.fit->curves, "fit.curves");

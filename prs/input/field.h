@@ -12,8 +12,8 @@
 ///
 ///     io("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of the screw");
 ///
-/// Key, member, how its value is written, whether it must stand (if left out: it may), meaning. Of
-/// each key a `Field` is made, without types of its own, which is read (reader.cpp), written into
+/// Key, member, how its value is written (if left out: as `kind_of` says), whether it must stand (if left out: it may),
+/// meaning. Of each key a `Field` is made, without types of its own, which is read (reader.cpp), written into
 /// the schema (schema.cpp) or listed (echo.cpp).
 namespace prs::input {
 
@@ -299,6 +299,23 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
+struct Choices;
+
+/// How values of a type are written where nothing else is stated: a flag, a choice, a block or a list of these.
+template <class T>
+auto kind_of() {
+  if constexpr (std::same_as<T, bool>)
+    return Flag{};
+  else if constexpr (is_optional<T>)
+    return kind_of<typename T::value_type>();
+  else if constexpr (requires { typename T::value_type; })
+    return List{kind_of<typename T::value_type>()};
+  else if constexpr (requires(Choices & io, T & value) { alternatives(io, value); })
+    return Choice{};
+  else
+    return Block{};
+}
+
 /// Receives the keys of a block from its description.
 class Fields {
  public:
@@ -328,6 +345,14 @@ class Fields {
   template <class T, class Kind>
   void operator()(std::string_view key, T& member, const Kind& kind, std::string_view meaning) const {
     (*this)(key, member, kind, optional, meaning);
+  }
+  template <class T>
+  void operator()(std::string_view key, T& member, Presence presence, std::string_view meaning) const {
+    (*this)(key, member, kind_of<T>(), presence, meaning);
+  }
+  template <class T>
+  void operator()(std::string_view key, T& member, std::string_view meaning) const {
+    (*this)(key, member, optional, meaning);
   }
 
   /// Receives a key of another description.

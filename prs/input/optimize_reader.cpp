@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/input/study_reader.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ class VariableReader : VariedInput {
       read_levels(variable, *item.values);
     else
       read_range(variable, item);
-    for (std::size_t k = 0; k < item.companions.size(); ++k) {
+    for (const auto k : indices(item.companions)) {
       path_ = fmt::format("{}.with[{}]", at, k);
       if (std::optional<Factor> linked = read_linked(item.companions[k], variable))
         variable.companions.push_back(std::move(*linked));
@@ -117,7 +118,7 @@ class AimReader {
 
   void read_objectives() {
     std::vector<std::string> before;
-    for (std::size_t k = 0; k < item_.objectives.size(); ++k) {
+    for (const auto k : indices(item_.objectives)) {
       const ObjectiveItem& item = item_.objectives[k];
       const std::string at = fmt::format("optimize.objectives[{}].{}", k, item.minimize ? "minimize" : "maximize");
       const std::string& path = item.minimize ? *item.minimize : *item.maximize;
@@ -125,7 +126,7 @@ class AimReader {
         refuse(at,
                "got minimize and maximize; expected one of the two; make two objectives of "
                "them");
-      if (std::ranges::find(before, path) != before.end())
+      if (contains(before, path))
         refuse(at, fmt::format("got {} a second time; expected each objective once; delete one", shown(path)));
       before.push_back(path);
       input_.optimization.objectives.push_back({response(path, at), item.maximize.has_value()});
@@ -133,7 +134,7 @@ class AimReader {
   }
 
   void read_constraints() {
-    for (std::size_t k = 0; k < item_.constraints.size(); ++k) {
+    for (const auto k : indices(item_.constraints)) {
       const ConstraintItem& item = item_.constraints[k];
       const std::string at = fmt::format("optimize.constraints[{}]", k);
       const std::size_t index = response(item.response, at + ".response");
@@ -199,7 +200,7 @@ class AimReader {
                          "`weights: [2, 1]`",
                          sum));
     if (item.by != Compromise::By::best) return;
-    for (std::size_t k = 0; k < objectives; ++k)
+    for (const auto k : up_to(objectives))
       if (item_.objectives[k].minimize == item.of || item_.objectives[k].maximize == item.of) {
         compromise.objective = k;
         return;
@@ -312,7 +313,7 @@ OptimizeInput read_optimize_input(const Source& source) {
   study.command = item.command;
   study.plan = Plan::monte_carlo;
   VariableReader variables(item, source, root, input.start.base, file, errors);
-  for (std::size_t i = 0; i < item.variables.size(); ++i) study.factors.push_back(variables.read(i));
+  for (const auto i : indices(item.variables)) study.factors.push_back(variables.read(i));
 
   AimReader aims(item, root, input, errors);
   aims.read_objectives();

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <numeric>
 
+#include "prs/indices.h"
 #include "prs/input/described_file.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/schema.h"
@@ -310,7 +311,7 @@ void read(const Written& w, const ListValue& list) {
       size > static_cast<std::size_t>(list.greatest))
     return w.refuse(wanted(list));
   list.resize(size);
-  for (std::size_t i = 0; i < size; ++i)
+  for (const auto i : up_to(size))
     read({w.node.children[i], fmt::format("{}[{}]", w.path, i), w.errors}, list.entry(i));
 }
 
@@ -350,7 +351,7 @@ class MapReader {
 
   void refuse_other_keys() const {
     for (const Node& child : map_.node.children) {
-      if (std::ranges::find(known_, child.key) != known_.end()) continue;
+      if (contains(known_, child.key)) continue;
       std::string fix = blank_hint(child.key);
       if (fix.empty()) fix = range_hint(child.key);
       if (fix.empty()) fix = elsewhere_hint(child.key);
@@ -364,14 +365,14 @@ class MapReader {
   /// How to fix `{path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3}`.
   std::string range_hint(std::string_view key) const {
     const bool is_of_range = key == "from" || key == "to" || key == "steps";
-    const bool has_values = std::ranges::find(known_, "values") != known_.end();
+    const bool has_values = contains(known_, "values");
     return is_of_range && has_values ? "write `values: {from: .., to: .., steps: ..}`" : "";
   }
 
   /// Hint for a missing key that is somewhere else: `mechanism.rollers` if `rollers` is in the wrong map.
   std::string elsewhere_hint(std::string_view key) const {
     constexpr std::size_t kMost = 2;
-    const bool is_case = std::ranges::find(known_, "mechanism") != known_.end();
+    const bool is_case = contains(known_, "mechanism");
     if (!map_.path.empty() || !is_case) return {};
     std::vector<std::string> paths;  // Outermost paths.
     std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
@@ -389,7 +390,7 @@ class MapReader {
   /// How to fix `lead:5 mm`, which is a key to YAML.
   std::string blank_hint(std::string_view key) const {
     const std::size_t colon = std::min(key.find(':'), key.size());
-    if (colon == key.size() || std::ranges::find(known_, key.substr(0, colon)) == known_.end()) return {};
+    if (colon == key.size() || !contains(known_, key.substr(0, colon))) return {};
     return fmt::format("write a blank after the colon: `{}: {}`", key.substr(0, colon), shown(key.substr(colon + 1)));
   }
 
@@ -436,7 +437,7 @@ void read_described(const Node& root, const Value& description, ErrorList& error
 
 std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
   std::vector<LoadCase> cases;
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  for (const auto i : indices(items)) {
     const LoadCaseItem& item = items[i];
     for (int k = 0; k < points(item); ++k) {
       LoadCase c;
@@ -447,13 +448,13 @@ std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
       cases.push_back(std::move(c));
     }
   }
-  for (std::size_t i = 0; i < items.size(); ++i) update_numbers(cases, items, i);
+  for (const auto i : indices(items)) update_numbers(cases, items, i);
   return cases;
 }
 
 std::size_t first_case(const std::vector<LoadCaseItem>& items, std::size_t item) {
   std::size_t first = 0;
-  for (std::size_t i = 0; i < item; ++i) first += static_cast<std::size_t>(points(items[i]));
+  for (const auto i : up_to(item)) first += static_cast<std::size_t>(points(items[i]));
   return first;
 }
 
@@ -538,7 +539,7 @@ CaseFile read_case_file(const Node& root, ErrorList& errors) {
            fmt::format("got {} cases; expected at most {}; write ranges with fewer steps",
                        number_of_cases(file.load_cases), kMostLoadCases),
            errors);
-  for (std::size_t i = 0; i < file.load_cases.size(); ++i)
+  for (const auto i : indices(file.load_cases))
     if (!file.load_cases[i].name) file.load_cases[i].name = fmt::format("case-{}", i + 1);
   return file;
 }

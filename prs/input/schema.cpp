@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/input/described_file.h"
 
 namespace prs::input {
@@ -121,7 +122,7 @@ Json schema_of(const ChoiceValue& choice) {
   const Json words{{"enum", of.words}, {"description", fmt::format("{}", fmt::join(of.meanings, "; "))}};
   if (of.maps.empty()) return words;
   Json all = Json::array({words});
-  all.insert(all.end(), of.maps.begin(), of.maps.end());
+  append(all, of.maps);
   return {{"oneOf", std::move(all)}};
 }
 
@@ -278,8 +279,7 @@ std::string text_of(const MapValue& map) {
 
 std::string text_of(const ListValue& list) {
   std::string text;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    text += fmt::format("{}{}", i > 0 ? ", " : "", input::text_of(list.entry(i)));
+  for (const auto i : indices(list)) text += fmt::format("{}{}", i > 0 ? ", " : "", input::text_of(list.entry(i)));
   return fmt::format("[{}]", text);
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "prs/file_descriptor.h"
+#include "prs/indices.h"
 #include "prs/text.h"
 
 namespace prs::input {
@@ -84,7 +85,7 @@ void ErrorList::fail(Place place, std::string_view key, std::string_view message
 void ErrorList::take(const ErrorList& other, const std::function<Place(Place)>& move) {
   for (const Error* e : other.told()) {
     Error moved{move(e->place), e->problem};
-    if (std::ranges::find(errors_, moved) == errors_.end()) errors_.push_back(std::move(moved));
+    if (!contains(errors_, moved)) errors_.push_back(std::move(moved));
   }
 }
 
@@ -107,7 +108,7 @@ void ErrorList::throw_if_any() const {
   for (const Error* e : order) {
     lines += fmt::format("{}{}: error: {}", lines.empty() ? "" : "\n", where(e->place), e->problem.text());
     if (e->place.argument >= 0)
-      lines += fmt::format(" (from --set {})", shown(source_.overrides[static_cast<std::size_t>(e->place.argument)]));
+      lines += fmt::format(" (from --set {})", shown(item_at(source_.overrides, e->place.argument)));
   }
   throw InputError(lines);
 }

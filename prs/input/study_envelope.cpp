@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/input/study_reader.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ class EnvelopeReader {
                                                  count < 2 ? "add one"
                                                            : "let the others go `with` one of them, or leave them "
                                                              "out"));
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (const auto k : up_to(2)) {
       Study alone = study_;
       alone.factors = {study_.factors[k], study_.factors[k]};
       if (!map_axes(alone))
@@ -47,7 +48,7 @@ class EnvelopeReader {
     envelope_.combine = item_.combine;
     envelope_.normalise = item_.normalise;
     envelope_.measures = item_.measures;
-    for (std::size_t k = 0; k < item_.measures.size(); ++k) {
+    for (const auto k : indices(item_.measures)) {
       const std::string& response = item_.measures[k].response;
       const auto same = std::ranges::find(item_.measures, response, &Envelope::Measure::response);
       if (same - item_.measures.begin() < static_cast<std::ptrdiff_t>(k))
@@ -60,11 +61,11 @@ class EnvelopeReader {
   }
 
   void need(const std::string& response) {
-    if (std::ranges::find(study_.responses, response) == study_.responses.end()) study_.responses.push_back(response);
+    if (!contains(study_.responses, response)) study_.responses.push_back(response);
   }
 
   void read_points() {
-    for (std::size_t k = 0; k < item_.points.size(); ++k) {
+    for (const auto k : indices(item_.points)) {
       const EnvelopePointItem& point = item_.points[k];
       const std::string path = fmt::format("study.envelope.points[{}]", k);
       const auto same = std::ranges::find(item_.points, point.name, &EnvelopePointItem::name);
@@ -89,7 +90,7 @@ class EnvelopeReader {
   std::optional<std::array<double, 2>> read_place(const std::string& path, const std::vector<std::string>& written) {
     std::array<double, 2> at{};
     bool good = true;
-    for (std::size_t a = 0; a < 2; ++a) {
+    for (const auto a : up_to(2)) {
       const std::optional<double> number = read_number(fmt::format("{}.at[{}]", path, a), written[a], (*axes_)[a]);
       good = good && number;
       at[a] = number.value_or(0.0);
@@ -108,7 +109,7 @@ class EnvelopeReader {
         fmt::format("a value of {} from {} to {}", shown(factor.path), least.text, largest.text);
     if (!number || !axis.place(*number))
       refuse(path, fmt::format("got {}; expected {}; write for example `{}`", shown(written), expected, least.text));
-    else if (!axis.continuous && std::ranges::find(axis.numbers, *number) == axis.numbers.end())
+    else if (!axis.continuous && !contains(axis.numbers, *number))
       refuse(path, fmt::format("got {}; expected {} that stands in the list, since it or what goes with "
                                "it has no values in between; write for example `{}`",
                                shown(written), expected, nearest(factor, *number)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
 #include "prs/input/varied_input.h"
@@ -72,7 +73,7 @@ class FactorReader : VariedInput {
       refuse_at(key, fmt::format("got {}; {}", shown(flow_text(*written(key))), message));
     };
     check_outside("path", item().path);
-    for (std::size_t k = 0; k < item().companions.size(); ++k)
+    for (const auto k : indices(item().companions))
       check_outside(fmt::format("with[{}].path", k), item().companions[k].path);
     if (!item().companions.empty() && !item().values)
       refuse("with",
@@ -103,7 +104,7 @@ class FactorReader : VariedInput {
     enter(index);
     check_written_ends();
     const FactorItem& factor = study_.factors[index];
-    for (std::size_t k = 0; k < factor.companions.size(); ++k) {
+    for (const auto k : indices(factor.companions)) {
       enter_companion(index, k);
       check_written_ends();
       const std::size_t expected = count_of(*factor.values), got = count_of(*item().values);
@@ -135,7 +136,7 @@ class FactorReader : VariedInput {
     enter(index);
     if (entries_.empty() || entries_[index] == 0) {
       Factor factor = read_one(item().path, item().label.value_or(item().path), file, fields);
-      for (std::size_t k = 0; k < study_.factors[index].companions.size(); ++k) {
+      for (const auto k : indices(study_.factors[index].companions)) {
         enter_companion(index, k);
         factor.companions.push_back(read_one(item().path, item().label.value_or(item().path), file, fields));
       }
@@ -143,7 +144,7 @@ class FactorReader : VariedInput {
       return {std::move(factor)};
     }
     std::vector<Factor> entries;
-    for (std::size_t k = 0; k < entries_[index]; ++k) {
+    for (const auto k : up_to(entries_[index])) {
       entries.push_back(read_one(fmt::format("{}[{}]", item().path, k),
                                  fmt::format("{}[{}]", item().label.value_or(item().path), k), file, fields));
       entries.back().entry_of_list = true;
@@ -422,7 +423,7 @@ void check_number_of_levels(const StudyItem& item, const Node& root, ErrorList& 
 }
 
 void check_responses(const std::vector<std::string>& responses, const Node& root, ErrorList& errors) {
-  for (std::size_t k = 0; k < responses.size(); ++k) {
+  for (const auto k : indices(responses)) {
     if (std::find(responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(k), responses[k]) ==
         responses.begin() + static_cast<std::ptrdiff_t>(k))
       continue;
@@ -502,11 +503,11 @@ StudyInput read_study_input(const Source& source) {
   StudyInput input{source, root, {}};
   std::erase_if(input.base.children, [](const Node& child) { return child.key == "study"; });
   FactorReader reader(item, source, root, input.base, errors);
-  for (std::size_t i = 0; i < item.factors.size(); ++i) reader.check_form(i);
+  for (const auto i : indices(item.factors)) reader.check_form(i);
   errors.throw_if_any();
-  for (std::size_t i = 0; i < item.factors.size(); ++i) reader.check_ends(i);
+  for (const auto i : indices(item.factors)) reader.check_ends(i);
   errors.throw_if_any();
-  for (std::size_t i = 0; i < item.factors.size(); ++i) reader.add_list(i, file);
+  for (const auto i : indices(item.factors)) reader.add_list(i, file);
   file = read_case_file(input.base, errors);
   errors.throw_if_any();
 
@@ -517,9 +518,9 @@ StudyInput read_study_input(const Source& source) {
   input.study.samples = static_cast<std::size_t>(item.samples.value_or(0));
   input.study.seed = static_cast<std::uint64_t>(item.seed);
   const std::vector<EchoEntry> fields = echo(file, input.base);
-  for (std::size_t i = 0; i < item.factors.size(); ++i)
+  for (const auto i : indices(item.factors))
     for (Factor& factor : reader.read(i, file, fields)) input.study.factors.push_back(std::move(factor));
-  for (std::size_t i = 0; i < item.factors.size(); ++i) {
+  for (const auto i : indices(item.factors)) {
     const auto refused = [&](std::string_view key, std::string_view why) {
       refuse(root, fmt::format("study.factors[{}].{}", i, key), fmt::format("got true; expected it {}; delete it", why),
              errors);
@@ -530,7 +531,7 @@ StudyInput read_study_input(const Source& source) {
       refused("together", "only with the path of a list of two or more numbers");
   }
   if (item.plan == Plan::tolerances)
-    for (std::size_t i = 0; i < item.factors.size(); ++i)
+    for (const auto i : indices(item.factors))
       if (!item.factors[i].kept && item.factors[i].values)
         refuse(root, fmt::format("study.factors[{}].values", i),
                "got values, which cannot be halved; expected within, normal or uniform with `plan: "
@@ -559,7 +560,7 @@ StudyInput read_study_input(const Source& source) {
 
 DesignFile read_design_file(const StudyInput& input, const std::vector<std::string>& overrides) {
   Source source = input.source;
-  source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
+  append(source.overrides, overrides);
   ErrorList errors(source);
   Node root = input.base;
   for (std::size_t k = input.source.overrides.size(); k < source.overrides.size(); ++k)

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "prs/indices.h"
 #include "prs/model/units.h"
 
 namespace prs::input {
@@ -258,7 +259,7 @@ std::string_view without_blanks(std::string_view text) {
 /// Whether a unit takes fractions: inches and feet alone, also with misspelt names.
 bool takes_fractions(std::string_view unit) {
   constexpr std::string_view kUnits[] = {"in", "ft", "inch", "inches", "foot", "feet"};
-  return std::ranges::find(kUnits, unit) != std::end(kUnits);
+  return contains(kUnits, unit);
 }
 
 /// `1 1/4 in`, `1-1/4 in`, `5/8 in`. `rest` follows the first number.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "prs/indices.h"
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
 
@@ -25,8 +26,8 @@ bool is_part_of(std::string_view path, std::string_view whole) {
 
 void check_paths(const std::vector<SetPath>& paths, std::string_view noun, bool one_at_a_time, const Node& root,
                  ErrorList& errors) {
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k) {
+  for (const auto i : indices(paths))
+    for (const auto k : up_to(i)) {
       const SetPath &own = paths[i], &other = paths[k];
       const bool together = own.factor == other.factor || !one_at_a_time;
       if (other.path == own.path && (together || (!own.companion && !other.companion)))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prs/indices.h"
 #include "prs/input/echo.h"
 
 namespace prs::input {
@@ -22,10 +23,10 @@ struct SetPath {
 template <class Items>
 std::vector<SetPath> set_paths(const Items& items, std::string_view list) {
   std::vector<SetPath> paths;
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  for (const auto i : indices(items)) {
     const std::string at = fmt::format("{}[{}]", list, i);
     paths.push_back({items[i].path, at + ".path", i});
-    for (std::size_t k = 0; k < items[i].companions.size(); ++k)
+    for (const auto k : indices(items[i].companions))
       paths.push_back({items[i].companions[k].path, fmt::format("{}.with[{}].path", at, k), i, true});
   }
   return paths;

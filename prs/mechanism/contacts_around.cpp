@@ -3,6 +3,7 @@
 #include <Eigen/Jacobi>
 
 #include "fe/lu.h"
+#include "prs/indices.h"
 #include "prs/sector/influence/influence_solver.h"
 
 namespace prs {
@@ -37,7 +38,7 @@ std::optional<VectorXd> gmres(Product product, const VectorXd& b, double toleran
     }
     h[k + 1] = next.norm();
     basis.col(k + 1) = next / h[k + 1];
-    for (Index i = 0; i < k; ++i) h.applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
+    for (Index i = 0; i < k; ++i) h.applyOnTheLeft(i, i + 1, item_at(rotations, i).adjoint());
     rotations.emplace_back().makeGivens(h[k], h[k + 1]);
     h.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
     right.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
@@ -66,17 +67,17 @@ class Around {
       const Index of_motions = m.rigid.cols() - m.reactions;
       modes_.back().support.topLeftCorner(of_motions, of_motions) /= unit;
     }
-    for (std::size_t w = 0; w < given.waves.size(); ++w) {
+    for (const auto w : indices(given.waves)) {
       shapes_.col(static_cast<Index>(w)) = given.waves[w].shape;
       first_.push_back(motions_);
       motions_ += mode_of(w).rigid.cols();
     }
     load_.resize(motions_);
-    for (std::size_t w = 0; w < given.waves.size(); ++w)
+    for (const auto w : indices(given.waves))
       motions(load_, w) = given.waves[w].load.cwiseQuotient(units(w, options.force, options.length));
     hertz_ = MatrixXd::Zero(contacts_, rollers_);
     for (Index j = 0; j < rollers_; ++j)
-      if (given.present[static_cast<std::size_t>(j)])
+      if (item_at(given.present, j))
         hertz_.col(j) = given.hertz_constant * std::pow(options.length, 1.5) / options.force;
     gap_ = given.gap / options.length * shapes_;
   }
@@ -105,7 +106,7 @@ class Around {
     State state;
     state.y = s.y / options_.length;
     state.motion.resize(motions_);
-    for (std::size_t w = 0; w < s.motion.size(); ++w)
+    for (const auto w : indices(s.motion))
       motions(state.motion, w) = s.motion[w].cwiseQuotient(units(w, options_.length, options_.force));
     return state;
   }
@@ -116,7 +117,7 @@ class Around {
     const MatrixXd load = s.load * shapes_;
     s.approach_left = s.y * shapes_ + gap_;
     s.force_left = -load_;
-    for (std::size_t w = 0; w < first_.size(); ++w) {
+    for (const auto w : indices(first_)) {
       const ContactsAround::Mode& m = mode_of(w);
       const auto v = motions(s.motion, w);
       const auto at = static_cast<Index>(w);
@@ -133,7 +134,7 @@ class Around {
     const MatrixXd approach = s.y.cwiseAbs() * shapes + gap_.cwiseAbs();
     const double share =
         0.5 * std::numeric_limits<double>::epsilon() * static_cast<double>(contacts_ + rollers_ + motions_);
-    for (std::size_t w = 0; w < first_.size(); ++w) {
+    for (const auto w : indices(first_)) {
       const ContactsAround::Mode& m = mode_of(w);
       const VectorXd v = motions(s.motion, w).cwiseAbs();
       const MatrixXd rigid = m.rigid.cwiseAbs();
@@ -169,7 +170,7 @@ class Around {
                                      double tolerance) const {
     MatrixXd waves(contacts_, shapes_.cols());
     VectorXd motion(motions_);
-    for (std::size_t w = 0; w < first_.size(); ++w) {
+    for (const auto w : indices(first_)) {
       VectorXd both(contacts_ + mode_of(w).rigid.cols());
       both << approach_left.col(static_cast<Index>(w)), motions(force_left, w);
       both = inverse_[given_.waves[w].mode] * both;
@@ -180,7 +181,7 @@ class Around {
     if (alike_) return {alike, motion};
     const MatrixXd y = unlike(alike, tolerance);
     const MatrixXd more = apart_.cwiseProduct(y) * shapes_;
-    for (std::size_t w = 0; w < first_.size(); ++w)
+    for (const auto w : indices(first_))
       motions(motion, w) += inverse_[given_.waves[w].mode].bottomLeftCorner(mode_of(w).rigid.cols(), contacts_) *
                             more.col(static_cast<Index>(w));
     return {y, motion};
@@ -190,7 +191,7 @@ class Around {
     ContactsAroundSolution solution;
     solution.y = s.y * options_.length;
     solution.normal_load = s.load * options_.force;
-    for (std::size_t w = 0; w < first_.size(); ++w)
+    for (const auto w : indices(first_))
       solution.motion.push_back(motions(s.motion, w).cwiseProduct(units(w, options_.length, options_.force)));
     return solution;
   }
@@ -219,9 +220,9 @@ class Around {
     MatrixXd waves = apart;
     for (Index w = 0; w < apart.cols();) {
       // Cosine and sine of one order are neighbours.
-      const std::size_t mode = given_.waves[static_cast<std::size_t>(w)].mode;
+      const std::size_t mode = item_at(given_.waves, w).mode;
       Index end = w + 1;
-      while (end < apart.cols() && given_.waves[static_cast<std::size_t>(end)].mode == mode) ++end;
+      while (end < apart.cols() && item_at(given_.waves, end).mode == mode) ++end;
       waves.middleCols(w, end - w).noalias() -=
           inverse_[mode].topLeftCorner(contacts_, contacts_) * apart.middleCols(w, end - w);
       w = end;
@@ -310,10 +311,9 @@ MatrixXd compliance(const ContactsAround& contacts, const ContactsAroundSolution
   MatrixXd rates(count, count);
   for (Index j = 0; j < count; ++j) {
     const auto rate =
-        around.step(around.no_approach(),
-                    VectorXd::Unit(around.motion_count(), around.first_of(motions[static_cast<std::size_t>(j)])),
+        around.step(around.no_approach(), VectorXd::Unit(around.motion_count(), around.first_of(item_at(motions, j))),
                     options.tolerance);
-    for (Index i = 0; i < count; ++i) rates(i, j) = rate.second[around.first_of(motions[static_cast<std::size_t>(i)])];
+    for (Index i = 0; i < count; ++i) rates(i, j) = rate.second[around.first_of(item_at(motions, i))];
   }
   return options.length / options.force * rates;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "prs/indices.h"
 #include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/linearised.h"
 
@@ -74,8 +75,8 @@ class Solution {
     needed_.assign(static_cast<std::size_t>(s.model.nodes) * fe::kDofsPerNode, 0.0);
     for (int node = 0; node < s.model.nodes; ++node)
       for (const Dof dof : {Dof::u, Dof::v, Dof::theta})
-        if (const int n = equations.number(node, dof); n >= 0) needed(node, dof) = elastic[static_cast<std::size_t>(n)];
-    for (std::size_t k = 0; k < s.model.form_springs.size(); ++k) {
+        if (const int n = equations.number(node, dof); n >= 0) needed(node, dof) = item_at(elastic, n);
+    for (const auto k : indices(s.model.form_springs)) {
       const double force = equations.response(q, static_cast<int>(k)).force;
       for (const fe::Term& t : s.model.form_springs[k].approach) needed(t.node, t.dof) += t.coefficient * force;
     }
@@ -86,7 +87,7 @@ class Solution {
     read_loads(d);
     read_rings(d);
     read_supports(d);
-    const SpatialNode& end = s_.screw[static_cast<std::size_t>(s_.loaded)];
+    const SpatialNode& end = item_at(s_.screw, s_.loaded);
     const auto at = [&](int node, Dof dof) { return equations_.displacement(q_, node, dof); };
     const Lateral offset = rigid_offset(f_, end.x), slope = rigid_slope(f_);
     d.screw_end.displacement << at(end.y_plane, Dof::u), at(end.y_plane, Dof::v) + offset.y,
@@ -97,9 +98,7 @@ class Solution {
   }
 
  private:
-  double& needed(int node, Dof dof) {
-    return needed_[static_cast<std::size_t>(fe::kDofsPerNode * node + static_cast<int>(dof))];
-  }
+  double& needed(int node, Dof dof) { return item_at(needed_, fe::kDofsPerNode * node + static_cast<int>(dof)); }
 
   void read_loads(FullDistribution& d) {
     const auto threads = static_cast<std::size_t>(f_.threads());
@@ -107,11 +106,11 @@ class Solution {
       d.normal_load[i] = d.approach[i] =
           RollerThreads(static_cast<std::size_t>(f_.rollers), std::vector<double>(threads, 0.0));
     const double share = f_.axial_force / static_cast<double>(f_.present.size());
-    for (std::size_t r = 0; r < s_.rollers.size(); ++r) {
+    for (const auto r : indices(s_.rollers)) {
       const auto number = static_cast<std::size_t>(f_.present[r].number);
       double carried = 0.0;
       for (const Interface i : kInterfaces)
-        for (std::size_t k = 0; k < threads; ++k) {
+        for (const auto k : up_to(threads)) {
           const int spring = s_.rollers[r].spring(i, k);
           const double force = equations_.response(q_, spring).force;
           d.normal_load[i][number][k] = force;
@@ -125,7 +124,7 @@ class Solution {
 
   /// Adds the forces of the guides on the rollers, and the reactions on their seats.
   void read_rings(FullDistribution& d) {
-    for (std::size_t k = 0; k < d.rings.size(); ++k) {
+    for (const auto k : indices(d.rings)) {
       d.rings[k].position = outer_face(k);
       d.rings[k].rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
     }
@@ -136,17 +135,17 @@ class Solution {
       double force = 0.0;  // Force on the roller, outwards.
       if (guide.link >= 0) {
         force = -equations_.link_force(q_, guide.link);
-        for (const fe::Term& t : s_.model.elastic_links[static_cast<std::size_t>(guide.link)].form)
+        for (const fe::Term& t : item_at(s_.model.elastic_links, guide.link).form)
           needed(t.node, t.dof) -= t.coefficient * force;
       } else if (guide.constraint >= 0) {
-        const fe::Constraint& c = s_.model.constraints[static_cast<std::size_t>(guide.constraint)];
+        const fe::Constraint& c = item_at(s_.model.constraints, guide.constraint);
         force = needed(c.node, c.dof);
         for (const fe::Term& t : c.form) needed(t.node, t.dof) += t.coefficient * force;
       } else if (guide.stop >= 0) {
         const RingGuide ring = f_.sector.ring_guide();
         const double v = equations_.net_approach(q_, guide.stop) + ring.clearance;
         force = ring.force(v);
-        GuideLoads& of = d.guides[static_cast<std::size_t>(roller.number)];
+        GuideLoads& of = item_at(d.guides, roller.number);
         of.displacement[place % 4] = v;
         of.force[place++ % 4] = force;
       }
@@ -159,9 +158,9 @@ class Solution {
   void read_straight_rollers(FullDistribution& d) {
     const double near = f_.roller_ends.first + 0.5 * f_.sector.end_length;
     const double far = f_.roller_ends.last - 0.5 * f_.sector.end_length;
-    for (std::size_t r = 0; r < s_.rollers.size(); ++r) {
+    for (const auto r : indices(s_.rollers)) {
       double force = 0.0, moment = 0.0;
-      for (std::size_t k = 0; k < s_.rollers[r].nodes.size(); ++k) {
+      for (const auto k : indices(s_.rollers[r].nodes)) {
         const int node = s_.rollers[r].nodes[k];
         force += needed(node, Dof::v);
         moment += needed(node, Dof::v) * (s_.rollers[r].x[k] - near) + needed(node, Dof::theta);
@@ -176,7 +175,7 @@ class Solution {
   /// Adds a force; `arm` is the arm of the force along x.
   static void add(RingForce& ring, const FullModel::Roller& roller, double force, double arm) {
     const double y = force * std::cos(roller.azimuth), z = force * std::sin(roller.azimuth);
-    ring.rollers[static_cast<std::size_t>(roller.number)] += force;
+    item_at(ring.rollers, roller.number) += force;
     ring.force.y += y;
     ring.force.z += z;
     ring.moment.y -= arm * z;
@@ -212,7 +211,7 @@ class Solution {
 /// Condenses K and B'tB to the freedoms of the loaded section; false if K is singular to rounding.
 bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations, fe::NewtonSolver& solver,
               const Linearised& linear, double near, FullDistribution& d) {
-  const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
+  const SpatialNode& end = item_at(s.screw, s.loaded);
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
                                             {end.y_plane, Dof::v, 1.0},
                                             {end.z_plane, Dof::v, 1.0},
@@ -220,7 +219,7 @@ bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
                                             {end.y_plane, Dof::theta, 1.0}}};
   std::vector<Eigen::VectorXd> loads;
   for (int k = 0; k < 5; ++k) {
-    const fe::NodalLoad& unit = units[static_cast<std::size_t>(k)];
+    const fe::NodalLoad& unit = item_at(units, k);
     const int n = equations.number(unit.node, unit.dof);
     if (n < 0 || n >= equations.size()) continue;
     d.screw_end.freedoms.push_back(k);
@@ -234,8 +233,7 @@ bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
   const auto count = static_cast<Eigen::Index>(loads.size());
   d.screw_end.compliance.resize(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
-    for (Eigen::Index j = 0; j < count; ++j)
-      d.screw_end.compliance(i, j) = loads[static_cast<std::size_t>(i)].dot(rates[static_cast<std::size_t>(j)]);
+    for (Eigen::Index j = 0; j < count; ++j) d.screw_end.compliance(i, j) = item_at(loads, i).dot(item_at(rates, j));
   d.screw_end.compliance(0, 0) += f.offset_compliance();
   d.screw_end.stiffness = d.screw_end.compliance.inverse();
   d.tangent_stiffness = 1.0 / axial_compliance(d.screw_end, f.load.eccentricity);
@@ -250,8 +248,8 @@ std::string why_left_out(const FreeMotions& free) {
 FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rollers,
                           const std::optional<FullMesh>& mesh = {}) {
   FullStructure s = full_structure(f, mesh);
-  for (std::size_t r = 0; r < s.rollers.size(); ++r)
-    if (std::ranges::find(idle_rollers, f.present[r].number) != idle_rollers.end())
+  for (const auto r : indices(s.rollers))
+    if (contains(idle_rollers, f.present[r].number))
       s.model.constraints.push_back({s.rollers[r].nodes.front(), Dof::u, {}, 0.0});
   return s;
 }
@@ -306,7 +304,7 @@ Linearised linearised(const FullModel& f, const FullDistribution& d) {
   const double share = kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
   Linearised l;
   for (const FullModel::Roller& r : f.present) {
-    const bool idle = std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
+    const bool idle = contains(d.idle_rollers, r.number);
     for (const Interface i : kInterfaces)
       for (std::size_t k = 0; k < static_cast<std::size_t>(f.threads()); ++k) {
         const auto j = static_cast<std::size_t>(r.number);
@@ -318,7 +316,7 @@ Linearised linearised(const FullModel& f, const FullDistribution& d) {
   }
   if (stops(f) == 0) return l;
   for (const FullModel::Roller& r : f.present)
-    for (const double force : d.guides[static_cast<std::size_t>(r.number)].force)
+    for (const double force : item_at(d.guides, r.number).force)
       for (const bool pushes : {force<0.0, force> 0.0}) {
         l.tangent.push_back(pushes ? f.sector.ring_guide().stiffness : 0.0);
         l.closed.push_back(pushes);
@@ -329,8 +327,8 @@ Linearised linearised(const FullModel& f, const FullDistribution& d) {
 double axial_compliance(const ScrewEnd& end, const Lateral& eccentricity) {
   const std::array<double, 5> load{1.0, 0.0, 0.0, eccentricity.z, -eccentricity.y};
   double compliance = 0.0;
-  for (std::size_t k = 0; k < end.freedoms.size(); ++k)
-    compliance += end.compliance(0, static_cast<Eigen::Index>(k)) * load[static_cast<std::size_t>(end.freedoms[k])];
+  for (const auto k : indices(end.freedoms))
+    compliance += end.compliance(0, static_cast<Eigen::Index>(k)) * item_at(load, end.freedoms[k]);
   return compliance;
 }
 
@@ -353,6 +351,16 @@ struct FullSolver::Parts {
   std::unique_ptr<Assembled> pinned = {};  ///< Equations with idle rollers pinned, for the last load.
   std::vector<Solved> last = {};           ///< Earlier solutions, the latest at the end.
 
+  /// State with the smallest residual.
+  fe::State best(std::vector<fe::State> candidates, const Eigen::VectorXd& load) const {
+    const fe::Equations& equations = assembled->equations;
+    Eigen::VectorXd residual(equations.size());
+    const auto left = [&](const fe::State& state) {
+      equations.energy_and_residual(state, load, residual);
+      return residual.cwiseAbs().maxCoeff();
+    };
+    return std::move(*std::ranges::min_element(candidates, {}, left));
+  }
   /// State with the smallest residual among the latest one, those with the next forces below and above, and
   /// interpolations between them. None if there is no state.
   std::optional<fe::State> nearest(double force, const Eigen::VectorXd& load) const {
@@ -370,13 +378,7 @@ struct FullSolver::Parts {
       candidates.push_back(below->state);
       candidates.back().set_to_step(below->state, share, below->state.head - above->state.head);
     }
-    const fe::Equations& equations = assembled->equations;
-    Eigen::VectorXd residual(equations.size());
-    const auto left = [&](const fe::State& state) {
-      equations.energy_and_residual(state, load, residual);
-      return residual.cwiseAbs().maxCoeff();
-    };
-    return std::move(*std::ranges::min_element(candidates, {}, left));
+    return best(std::move(candidates), load);
   }
   /// The last state, or an extrapolation by a line or a parabola through the last ones, whichever has the smallest
   /// residual.
@@ -395,13 +397,7 @@ struct FullSolver::Parts {
     if (n > 1) ahead(change(1));
     if (n > 2) ahead(2.0 * change(1) - change(2));
     if (n > 3) ahead(3.0 * (change(1) - change(2)) + change(3));
-    const fe::Equations& equations = assembled->equations;
-    Eigen::VectorXd residual(equations.size());
-    const auto left = [&](const fe::State& state) {
-      equations.energy_and_residual(state, load, residual);
-      return residual.cwiseAbs().maxCoeff();
-    };
-    return std::move(*std::ranges::min_element(candidates, {}, left));
+    return best(std::move(candidates), load);
   }
   void keep(double force, const fe::State& state) {
     constexpr std::size_t kFewest = 8, kNumbers = 4'000'000;
@@ -448,7 +444,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
     if (!solver.follow({equations, load, s.per_force}, options, q)) return d;
     d.solve.status = fe::NewtonStatus::converged;
     parts_->keep(force, q);
-    for (std::size_t k = 0; k < s.per_force.size(); ++k)
+    for (const auto k : indices(s.per_force))
       for (const fe::NodalLoad& of : s.per_force[k])
         s.loads.push_back({of.node, of.dof, equations.response(q, static_cast<int>(k)).force * of.value});
     Solution(f, s, equations, q).read(d);
@@ -522,11 +518,11 @@ class Collector {
     for (const Interface i : kInterfaces) {
       OrbitLoads& loads = orbit_.loads[i];
       const int first = (f_.present.front().number + shift) % f_.rollers;
-      loads.first_roller.push_back(std::ranges::max(d.normal_load[i][static_cast<std::size_t>(first)]));
+      loads.first_roller.push_back(std::ranges::max(item_at(d.normal_load[i], first)));
       for (const FullModel::Roller& r : f_.present) {
         const auto j = static_cast<std::size_t>(r.number);
         const auto from = static_cast<std::size_t>((r.number + shift) % f_.rollers);
-        for (std::size_t k = 0; k < loads.equivalent[j].size(); ++k) {
+        for (const auto k : indices(loads.equivalent[j])) {
           const double load = d.normal_load[i][from][k];
           loads.equivalent[j][k] += share * std::pow(load, orbit_.exponent);
           loads.peak[j][k] = std::max(loads.peak[j][k], load);

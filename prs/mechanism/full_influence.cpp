@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "prs/indices.h"
 #include "prs/mechanism/contacts_around.h"
 #include "prs/mechanism/full_structure.h"
 
@@ -133,7 +134,7 @@ class Assembly {
     for (const Interface i : kInterfaces)
       for (int k = 0; k < f_.threads(); ++k) {
         const bool screw = i == Interface::screw;
-        const double sign = screw ? 1.0 : -1.0, x = contact_x[static_cast<std::size_t>(k)];
+        const double sign = screw ? 1.0 : -1.0, x = item_at(contact_x, k);
         const double along = f_.sense() * f_.sector.cosine[i], across = f_.sector.sine[i];
         const double radius = f_.centre_distance - sign * arm_;
         const double origin = screw ? f_.loaded_section : f_.thrust;
@@ -160,7 +161,7 @@ class Assembly {
     }
     rigid_stations_ = MatrixXd::Zero(freedoms, 2);
     for (Index k = 0; k < freedoms; k += 2)
-      rigid_stations_.middleRows(k, 2) << 1.0, stations_[static_cast<std::size_t>(k / 2)] / arm_, 0.0, 1.0;
+      rigid_stations_.middleRows(k, 2) << 1.0, item_at(stations_, k / 2) / arm_, 0.0, 1.0;
     Index freedom = 2 * rings_on_screw();
     for (const Bearing& b : f_.bearings) {
       if (b.lateral > 0.0) held_.push_back({freedom, b.lateral, b.offset});
@@ -194,7 +195,7 @@ class Assembly {
     for (Index ring = 0; ring < 2; ++ring) {
       MatrixXd& body = screw ? screw_ : nut_;
       body.col(1) += lines_.col(ring);
-      body.col(2) += (places[static_cast<std::size_t>(ring)] - origin) / arm_ * lines_.col(ring);
+      body.col(2) += (item_at(places, ring) - origin) / arm_ * lines_.col(ring);
       if (screw) by_stations_ += lines_.col(ring) * between_stations_.row(2 * ring);
     }
   }
@@ -239,12 +240,12 @@ class Assembly {
     mode.rigid.leftCols(first) << amplitude() * screw_.rightCols(2), roller_, amplitude() * lines_.leftCols(floating());
     mode.support.diagonal().segment(3, floating()).setConstant(f_.ring_stiffness);
     for (Index a = 0; a < held; ++a) {
-      const Held& at = held_[static_cast<std::size_t>(a)];
+      const Held& at = item_at(held_, a);
       mode.rigid.col(first + a) = amplitude() * by_stations_.col(at.freedom);
       mode.support.block(first + a, 0, 1, 2) = -rigid_stations_.row(at.freedom);
       mode.support.block(0, first + a, 2, 1) = -rigid_stations_.row(at.freedom).transpose();
       for (Index b = 0; b < held; ++b)
-        mode.support(first + a, first + b) = -between_stations_(at.freedom, held_[static_cast<std::size_t>(b)].freedom);
+        mode.support(first + a, first + b) = -between_stations_(at.freedom, item_at(held_, b).freedom);
       mode.support(first + a, first + a) -= 1.0 / at.stiffness;
     }
     return mode;
@@ -288,7 +289,7 @@ class Assembly {
     const MatrixXd& on_stations = loads_[sine];
     load.head(2) << component(turned(side, l.carrier_angle), sine), component(turned(turning, l.carrier_angle), sine);
     load.head(2) += rigid_stations_.transpose() * on_stations;
-    for (std::size_t a = 0; a < held_.size(); ++a) {
+    for (const auto a : indices(held_)) {
       load[first_reaction() + static_cast<Index>(a)] = -component(turned(held_[a].rest, l.carrier_angle), sine);
       if (on_stations.size() > 0)
         load[first_reaction() + static_cast<Index>(a)] +=
@@ -301,10 +302,10 @@ class Assembly {
     problem.present.assign(static_cast<std::size_t>(f_.rollers), false);
     const MatrixXd by_loads[] = {by_stations_ * loads_[0], by_stations_ * loads_[1]};
     for (const FullModel::Roller& r : f_.present) {
-      problem.present[static_cast<std::size_t>(r.number)] = true;
+      item_at(problem.present, r.number) = true;
       auto gap = problem.gap.col(r.number);
       for (const Interface i : kInterfaces)
-        for (int k = 0; k < f_.threads(); ++k) gap[row(i, k)] = r.gaps[i][static_cast<std::size_t>(k)];
+        for (int k = 0; k < f_.threads(); ++k) gap[row(i, k)] = item_at(r.gaps[i], k);
       gap -= lines_ * Eigen::Vector2d(r.ring_offset[0], r.ring_offset[1]);
       gap -=
           along(f_.load.nut_offset, r.azimuth) * nut_.col(1) + arm_ * along(rigid_slope(f_), r.azimuth) * nut_.col(2);
@@ -327,7 +328,7 @@ class Assembly {
     const auto threads = static_cast<std::size_t>(f_.threads());
     const double share = f_.axial_force / static_cast<double>(f_.present.size());
     const std::array<double, 2> places = guide_places(f_);
-    for (std::size_t ring = 0; ring < 2; ++ring) {
+    for (const auto ring : up_to(2)) {
       d.rings[ring].position = places[ring];
       d.rings[ring].rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
     }
@@ -338,7 +339,7 @@ class Assembly {
       const auto number = static_cast<std::size_t>(r.number);
       double carried = 0.0;
       for (const Interface i : kInterfaces)
-        for (std::size_t k = 0; k < threads; ++k) {
+        for (const auto k : up_to(threads)) {
           const Index at = row(i, static_cast<int>(k));
           const double load = s.normal_load(at, r.number), y = s.y(at, r.number);
           d.normal_load[i][number][k] = load;
@@ -348,7 +349,7 @@ class Assembly {
         }
       if (carried <= kIdle * share) d.idle_rollers.push_back(r.number);
       const Eigen::Vector2d guides = lines_.transpose() * s.normal_load.col(r.number);
-      for (std::size_t ring = 0; ring < 2; ++ring) {
+      for (const auto ring : up_to(2)) {
         const double force = guides[static_cast<Index>(ring)];
         d.rings[ring].rollers[number] = force;
         d.rings[ring].force.y += force * std::cos(r.azimuth);
@@ -360,7 +361,7 @@ class Assembly {
   void read_bearings(const ContactsAroundSolution& s, FullDistribution& d) const {
     const Index first = 2 * rings_on_screw();
     for (const Bearing& b : f_.bearings) d.bearings.push_back({b.position, {0.0, 0.0, 0.0}, {}});
-    for (std::size_t a = 0; a < held_.size(); ++a) {
+    for (const auto a : indices(held_)) {
       SupportForce& bearing = d.bearings[static_cast<std::size_t>(held_[a].freedom - first) / 2];
       const Lateral force = across_of(s, first_reaction() + static_cast<Index>(a));
       if (held_[a].freedom % 2 == 0)

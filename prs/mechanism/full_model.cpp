@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/threads/threads.h"
 
 namespace prs {
@@ -99,7 +100,7 @@ PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j
     const std::vector<double>& index_error = all.d.index_error[i];
     const double part = i == Interface::screw ? all.turn.screw : all.turn.nut;
     const double travelled = (standard ? 0.0 : all.turn.travel) - (i == Interface::screw ? all.turn.travel : 0.0);
-    for (std::size_t k = 0; k < body.axial.size(); ++k) {
+    for (const auto k : indices(body.axial)) {
       if (!index_error.empty()) body.axial[k] += index_error[start_at(m, on_part, static_cast<int>(k))];
       body.radial[k] += along(all.d.thread_eccentricity[i], azimuth);
       if (!turns) continue;
@@ -130,7 +131,7 @@ void take_off_smallest(FullModel& f) {
 /// Axial places of the contacts of all rollers except missing ones.
 std::vector<double> all_contacts(const FullModel& f) {
   std::vector<double> x;
-  for (const FullModel::Roller& r : f.present) x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+  for (const FullModel::Roller& r : f.present) append(x, r.contact_x);
   return x;
 }
 
@@ -140,7 +141,7 @@ void set_rollers(FullModel& f, const ModelOptions& options, const ThreadsOfAll& 
   const Mechanism& m = all.m;
   for (int j = 0; j < f.rollers; ++j) {
     const std::vector<int>& missing = all.d.missing_rollers;
-    if (std::ranges::find(missing, j + 1) != missing.end()) continue;
+    if (contains(missing, j + 1)) continue;
     const auto number = static_cast<std::size_t>(j);
     FullModel::Roller r;
     r.number = j;
@@ -228,7 +229,7 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
   };
   if (f.loaded_section < first) screw(f.loaded_section, first, radii.plain_screw);
   screw(first, last + structure.screw.far_length, radii.screw);
-  for (std::size_t i = 0; i < line.outer_radius.size(); ++i)
+  for (const auto i : indices(line.outer_radius))
     f.nut.push_back(
         {line.sections[i], line.sections[i + 1], section(Part::nut, line.outer_radius[i], radii.nut.root[i])});
   if (has_wall) {
@@ -250,23 +251,19 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
 
 std::vector<NutHarmonic> nut_harmonics(const NutLine& line, const NutBore& bore, const Material& material, int rollers,
                                        int highest) {
+  std::vector<int> same;
+  set_alike_segments(line, bore, same);
   std::vector<NutHarmonic> harmonics;
   for (int n = 2; n <= highest; ++n) {
     if (n % rollers == 0) continue;
     NutHarmonic harmonic{n, {}};
-    for (std::size_t i = 0; i < line.outer_radius.size(); ++i) {
-      const auto same = [&](std::size_t k) {
-        return line.outer_radius[k] == line.outer_radius[i] && bore.root[k] == bore.root[i] &&
-               std::abs(line.length(k) - line.length(i)) <= 1e-12 * line.length(i);
-      };
-      std::size_t k = 0;
-      while (k < i && !same(k)) ++k;
+    for (const auto i : indices(same))
       harmonic.segments.push_back(
-          k < i ? harmonic.segments[k]
-                : fe::stiffness_matrix(fe::oval_tube(n, bore.pitch, bore.root[i], line.outer_radius[i],
-                                                     material.youngs_modulus, material.poisson_ratio),
-                                       line.length(i)));
-    }
+          same[i] < static_cast<int>(i)
+              ? item_at(harmonic.segments, same[i])
+              : fe::stiffness_matrix(fe::oval_tube(n, bore.pitch, bore.root[i], line.outer_radius[i],
+                                                   material.youngs_modulus, material.poisson_ratio),
+                                     line.length(i)));
     harmonics.push_back(std::move(harmonic));
   }
   return harmonics;

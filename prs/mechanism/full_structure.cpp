@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -48,7 +50,7 @@ class Builder {
   double ring_middle(int ring) const { return outer(ring) + (ring == 0 ? 0.5 : -0.5) * f_.sector.end_length; }
 
   void add_contact_stations(std::vector<double>& x) const {
-    for (const FullModel::Roller& r : f_.present) x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+    for (const FullModel::Roller& r : f_.present) append(x, r.contact_x);
   }
   void add_ring_stations(std::vector<double>& x, Rings::Carrier body, const std::vector<BodyPiece>& pieces) const {
     if (f_.carrier != body) return;
@@ -62,7 +64,7 @@ class Builder {
     for (const Bearing& b : f_.bearings) x.push_back(b.position);
     for (const auto& at : {f_.load.side_force.at, f_.load.moment.at})
       if (at) x.push_back(*at);
-    if (mesh_) x.insert(x.end(), mesh_->screw.begin(), mesh_->screw.end());
+    if (mesh_) append(x, mesh_->screw);
     return x;
   }
   std::vector<double> nut_stations() const {
@@ -70,13 +72,13 @@ class Builder {
     add_contact_stations(x);
     if (f_.nut_wall) {
       const std::vector<double>& line = f_.nut_wall->line.sections;
-      x.insert(x.end(), line.begin(), line.end());
+      append(x, line);
     }
     add_ring_stations(x, Rings::Carrier::nut, f_.nut);
     const auto [first, last] = std::ranges::minmax(x);
     for (const BodyPiece& piece : f_.nut)
       if (piece.from > first && piece.from < last) x.push_back(piece.from);
-    if (mesh_) x.insert(x.end(), mesh_->nut.begin(), mesh_->nut.end());
+    if (mesh_) append(x, mesh_->nut);
     return x;
   }
 
@@ -167,8 +169,8 @@ class Builder {
     for (const SpatialNode& n : s_.nut) hold_still(n.y_plane, Dof::u);
     const int nodes = 1 + 2 * static_cast<int>(wall.harmonics.size());
     SpatialNode* before = nullptr;
-    for (std::size_t i = 0; i < wall.line.sections.size(); ++i) {
-      SpatialNode& n = s_.nut[static_cast<std::size_t>(nearest(s_.nut, wall.line.sections[i]))];
+    for (const auto i : indices(wall.line.sections)) {
+      SpatialNode& n = item_at(s_.nut, nearest(s_.nut, wall.line.sections[i]));
       n.axial = n.wall = s_.model.nodes;
       s_.model.nodes += nodes;
       if (wall.shell.radially_rigid) hold_still(n.wall, Dof::v);
@@ -190,13 +192,13 @@ class Builder {
     return static_cast<int>(found - nodes.begin());
   }
   const SpatialNode& at(const std::vector<SpatialNode>& nodes, double x) const {
-    return nodes[static_cast<std::size_t>(nearest(nodes, x))];
+    return item_at(nodes, nearest(nodes, x));
   }
 
   void add_rings() {
     if (f_.carrier != Rings::Carrier::housing) {
       const auto& carrier = f_.carrier == Rings::Carrier::nut ? s_.nut : s_.screw;
-      for (int ring = 0; ring < 2; ++ring) s_.seats[static_cast<std::size_t>(ring)] = &at(carrier, ring_middle(ring));
+      for (int ring = 0; ring < 2; ++ring) item_at(s_.seats, ring) = &at(carrier, ring_middle(ring));
     }
     if (!f_.floating_rings()) return;
     for (int& ring : s_.rings) {
@@ -217,7 +219,7 @@ class Builder {
       if (sector.contacts_apart()) x.push_back(contact + half);
     }
     x.insert(x.end(), {last - sector.end_length, last});
-    for (std::size_t i = 0; i < x.size(); ++i) {
+    for (const auto i : indices(x)) {
       const bool same = i > 0 && x[i] - x[i - 1] < same_;
       const int node = same ? roller.nodes.back() : s_.model.add_node();
       if (!same && i > 0) {
@@ -248,7 +250,7 @@ class Builder {
     guide(r, roller, e, x);
     roller.first_spring = static_cast<int>(s_.model.form_springs.size());
     for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < r.contact_x.size(); ++k) add_contact(i, r, roller.contacts[i][k], k, e);
+      for (const auto k : indices(r.contact_x)) add_contact(i, r, roller.contacts[i][k], k, e);
     s_.rollers.push_back(std::move(roller));
   }
 
@@ -261,7 +263,7 @@ class Builder {
       return;
     }
     const std::array<std::size_t, 4> places{0, 1, x.size() - 2, x.size() - 1};
-    for (std::size_t p = 0; p < 4; ++p) {
+    for (const auto p : up_to(4)) {
       const std::size_t ring = p / 2;
       const double stiffness = p == 0 || p == 3 ? f_.sector.outer_guide : f_.sector.inner_guide;
       if (stiffness == 0.0) continue;
@@ -308,7 +310,7 @@ class Builder {
     const auto contacts = static_cast<int>(s_.model.form_springs.size());
     for (FullStructure::Guide& guide : s_.guides)
       if (guide.stop >= 0) guide.stop += contacts;
-    s_.model.form_springs.insert(s_.model.form_springs.end(), stops_.begin(), stops_.end());
+    append(s_.model.form_springs, stops_);
     if (!s_.per_force.empty()) s_.per_force.resize(s_.model.form_springs.size());
   }
 
@@ -388,7 +390,7 @@ class Builder {
 
   void add_loads() {
     const double force = f_.sense() * f_.axial_force;
-    const SpatialNode& end = s_.screw[static_cast<std::size_t>(s_.loaded)];
+    const SpatialNode& end = item_at(s_.screw, s_.loaded);
     s_.loads.push_back({end.y_plane, Dof::u, force});
     s_.loads.push_back({end.y_plane, Dof::theta, -force * f_.load.eccentricity.y});
     s_.loads.push_back({end.z_plane, Dof::theta, -force * f_.load.eccentricity.z});
@@ -423,9 +425,9 @@ class Motions {
       move(n.y_plane, n.x, screw, screw + 1, screw + 2);
       move(n.z_plane, n.x, -1, screw + 3, screw + 4);
     }
-    for (std::size_t r = 0; r < s.rollers.size(); ++r) {
+    for (const auto r : indices(s.rollers)) {
       const int first = add_part(fmt::format("roller {}", f.present[r].number + 1), 3);
-      for (std::size_t k = 0; k < s.rollers[r].nodes.size(); ++k)
+      for (const auto k : indices(s.rollers[r].nodes))
         move(s.rollers[r].nodes[k], s.rollers[r].x[k], first, first + 1, first + 2);
     }
     for (const int ring : s.rings)
@@ -466,9 +468,7 @@ class Motions {
     at(node, Dof::v).push_back({turn, (x - middle_) / arm_});
     at(node, Dof::theta).push_back({turn, 1.0 / arm_});
   }
-  Row& at(int node, Dof dof) {
-    return rows_[static_cast<std::size_t>(fe::kDofsPerNode * node + static_cast<int>(dof))];
-  }
+  Row& at(int node, Dof dof) { return item_at(rows_, fe::kDofsPerNode * node + static_cast<int>(dof)); }
   const Row& at(int node, Dof dof) const { return const_cast<Motions*>(this)->at(node, dof); }
 
   double arm_, middle_;
@@ -494,7 +494,7 @@ std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
 Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearForm>& forms) {
   Eigen::MatrixXd rows =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(forms.size()), static_cast<Eigen::Index>(motions.count()));
-  for (std::size_t i = 0; i < forms.size(); ++i) motions.add(forms[i], rows.row(static_cast<Eigen::Index>(i)));
+  for (const auto i : indices(forms)) motions.add(forms[i], rows.row(static_cast<Eigen::Index>(i)));
   return rows;
 }
 
@@ -522,7 +522,7 @@ Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd&
   std::vector<Eigen::Index> pushing;
   const auto solved = [&] {
     Eigen::MatrixXd columns(a.rows(), static_cast<Eigen::Index>(pushing.size()));
-    for (std::size_t k = 0; k < pushing.size(); ++k) columns.col(static_cast<Eigen::Index>(k)) = a.col(pushing[k]);
+    for (const auto k : indices(pushing)) columns.col(static_cast<Eigen::Index>(k)) = a.col(pushing[k]);
     return Eigen::VectorXd(columns.colPivHouseholderQr().solve(b));
   };
   for (Eigen::Index step = 0; step < 3 * a.cols(); ++step) {
@@ -534,10 +534,10 @@ Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd&
     pushing.push_back(best);
     for (Eigen::VectorXd wanted = solved();; wanted = solved()) {
       double length = 1.0;
-      for (std::size_t k = 0; k < pushing.size(); ++k)
+      for (const auto k : indices(pushing))
         if (const double to = wanted[static_cast<Eigen::Index>(k)]; to <= 0.0)
           length = std::min(length, x[pushing[k]] / std::max(x[pushing[k]] - to, 1e-300));
-      for (std::size_t k = 0; k < pushing.size(); ++k)
+      for (const auto k : indices(pushing))
         x[pushing[k]] += length * (wanted[static_cast<Eigen::Index>(k)] - x[pushing[k]]);
       if (length == 1.0) break;
       std::erase_if(pushing, [&](Eigen::Index k) {
@@ -601,10 +601,8 @@ std::optional<double> holding_force(const FullModel& model) {
 FreeMotions free_motions(const FullModel& f, const FullStructure& s, const std::vector<bool>& closed) {
   const Motions motions(f, s);
   std::vector<fe::LinearForm> forms = bilateral(s.model);
-  const auto is_closed = [&](int spring) { return closed.empty() || closed[static_cast<std::size_t>(spring)]; };
-  const auto add = [&](int spring) {
-    forms.push_back(s.model.form_springs[static_cast<std::size_t>(spring)].approach);
-  };
+  const auto is_closed = [&](int spring) { return closed.empty() || item_at(closed, spring); };
+  const auto add = [&](int spring) { forms.push_back(item_at(s.model.form_springs, spring).approach); };
   // Rows of a roller are linear in x: any two span those between them.
   for (const FullStructure::Roller& r : s.rollers)
     for (const Interface i : kInterfaces) {
@@ -630,7 +628,7 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s, const std::
     ++free.count;
     const Eigen::VectorXd motion = svd.matrixV().col(m);
     for (int part = 0; part < motions.count(); ++part)
-      if (std::abs(motion[part]) > 1e-6 && std::ranges::find(free.parts, motions.part(part)) == free.parts.end())
+      if (std::abs(motion[part]) > 1e-6 && !contains(free.parts, motions.part(part)))
         free.parts.push_back(motions.part(part));
   }
   return free;

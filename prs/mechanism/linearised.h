@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prs/indices.h"
 #include "prs/mechanism/full_distribution.h"
 
 namespace prs {
@@ -9,7 +10,7 @@ struct Linearised {
   std::vector<double> tangent;  ///< Tangent stiffness of each spring [N/m].
   std::vector<bool> closed;     ///< Whether it carries a significant load.
 
-  bool all_closed() const { return std::ranges::find(closed, false) == closed.end(); }
+  bool all_closed() const { return !contains(closed, false); }
 };
 
 /// Linearised mechanism; contacts of idle rollers carry nothing.

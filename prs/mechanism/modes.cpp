@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/linearised.h"
 
@@ -49,16 +50,14 @@ Eigen::Matrix4d prestress_of(double tension, double l) {
 class Vibration {
  public:
   Vibration(const Vibrating& v, const Modes& wanted) : v_(v), wanted_(wanted), f_(v.model) {
-    std::erase_if(f_.present, [&](const FullModel::Roller& r) {
-      return std::ranges::find(v.loads.idle_rollers, r.number) != v.loads.idle_rollers.end();
-    });
+    std::erase_if(f_.present, [&](const FullModel::Roller& r) { return contains(v.loads.idle_rollers, r.number); });
     if (wanted.axial_support.at != AxialSupport::At::nut) f_.housing.axial = 0.0;
     s_ = full_structure(f_, mesh());
     for (fe::Constraint& c : s_.model.constraints) c.offset = 0.0;
     for (fe::ElasticLink& l : s_.model.elastic_links) l.rest = 0.0;
     hold_screw();
     if (v.structure.screw.drive) add_drive(*v.structure.screw.drive);
-    for (std::size_t k = 0; k < s_.rollers.size(); ++k) add_roller(k);
+    for (const auto k : indices(s_.rollers)) add_roller(k);
     add_body(s_.screw, f_.screw, Share::screw);
     add_body(s_.nut, f_.nut, Share::nut);
     for (const ExtraMass& m : v.structure.masses) add_mass(m);
@@ -92,7 +91,7 @@ class Vibration {
 
   void hold_screw() {
     const AxialSupport& a = wanted_.axial_support;
-    const int node = s_.screw[static_cast<std::size_t>(s_.loaded)].y_plane;
+    const int node = item_at(s_.screw, s_.loaded).y_plane;
     if (a.at == AxialSupport::At::screw) s_.model.constraints.push_back({node, Dof::u, {}, 0.0});
     if (a.at == AxialSupport::At::screw_spring)
       s_.model.elastic_links.push_back({{{node, Dof::u, 1.0}}, 0.0, a.stiffness});
@@ -102,7 +101,7 @@ class Vibration {
   void add_drive(const Drive& drive) {
     const Material& steel = material(Share::screw);
     const double shear = steel.youngs_modulus / (2.0 * (1.0 + steel.poisson_ratio));
-    for (std::size_t i = 0; i < s_.screw.size(); ++i) {
+    for (const auto i : indices(s_.screw)) {
       twist_.push_back(s_.model.add_node());
       if (i == 0) continue;
       const double l = s_.screw[i].x - s_.screw[i - 1].x;
@@ -129,15 +128,15 @@ class Vibration {
     const double spin = epsilon + gear * (standard ? -epsilon : epsilon - 1.0);
     const double orbit = epsilon * f_.centre_distance;
     const double inertia = (roller_mass() * orbit * orbit + roller_inertia() * spin * spin) / f_.threads();
-    for (std::size_t r = 0; r < s_.rollers.size(); ++r)
-      for (std::size_t k = 0; k < f_.present[r].contact_x.size(); ++k) {
+    for (const auto r : indices(s_.rollers))
+      for (const auto k : indices(f_.present[r].contact_x)) {
         const int node = twist_at(f_.present[r].contact_x[k]);
-        s_.model.form_springs[static_cast<std::size_t>(s_.rollers[r].spring(along, k))].approach.push_back(
-            {node, Dof::u, -f_.sense() * f_.sector.cosine[along] * advance});
+        item_at(s_.model.form_springs, s_.rollers[r].spring(along, k))
+            .approach.push_back({node, Dof::u, -f_.sense() * f_.sector.cosine[along] * advance});
         add_point(Share::roller, {{node, Dof::u}}, Eigen::VectorXd::Ones(1), inertia);
       }
   }
-  int twist_at(double x) const { return twist_[static_cast<std::size_t>(&at(s_.screw, x) - s_.screw.data())]; }
+  int twist_at(double x) const { return item_at(twist_, &at(s_.screw, x) - s_.screw.data()); }
 
   /// Integral of a rigidity times density/E over a roller, by length of threads and ends.
   double over_roller(double threads, double ends) const {
@@ -172,14 +171,13 @@ class Vibration {
   /// Force along x on the threads of a part of the model, before x [N].
   double pushed_before(double x, const std::function<double(std::size_t, std::size_t)>& force) const {
     double sum = 0.0;
-    for (std::size_t r = 0; r < f_.present.size(); ++r)
-      for (std::size_t k = 0; k < f_.present[r].contact_x.size(); ++k)
+    for (const auto r : indices(f_.present))
+      for (const auto k : indices(f_.present[r].contact_x))
         if (f_.present[r].contact_x[k] < x) sum += force(r, k);
     return sum;
   }
   double axial_load(Interface i, std::size_t r, std::size_t k) const {
-    return f_.sense() * f_.sector.cosine[i] *
-           v_.loads.normal_load[i][static_cast<std::size_t>(f_.present[r].number)][k];
+    return f_.sense() * f_.sector.cosine[i] * item_at(v_.loads.normal_load[i], f_.present[r].number)[k];
   }
   double tension_at(Share share, double x) const {
     if (!wanted_.prestress) return 0.0;
@@ -216,7 +214,7 @@ class Vibration {
                 tension, true);
     }
     const double azimuth = f_.present[k].azimuth;
-    for (std::size_t ring = 0; ring < 2; ++ring) {
+    for (const auto ring : up_to(2)) {
       std::vector<Freedom> freedoms;
       if (const SpatialNode* seat = s_.seats[ring])
         freedoms.insert(freedoms.end(), {{seat->y_plane, Dof::v}, {seat->z_plane, Dof::v}});
@@ -254,12 +252,12 @@ class Vibration {
   void add_to(std::vector<Eigen::Triplet<double>>& entries, const Quadratic& q) const {
     std::vector<fe::NodalLoad> of(1);
     std::vector<std::vector<std::pair<int, double>>> terms(q.freedoms.size());
-    for (std::size_t i = 0; i < terms.size(); ++i) {
+    for (const auto i : indices(terms)) {
       of[0] = {q.freedoms[i].node, q.freedoms[i].dof, 1.0};
       equations_->for_each_load(of, [&](int equation, double c) { terms[i].emplace_back(equation, c); });
     }
-    for (std::size_t i = 0; i < terms.size(); ++i)
-      for (std::size_t j = 0; j < terms.size(); ++j)
+    for (const auto i : indices(terms))
+      for (const auto j : indices(terms))
         for (const auto& [a, c] : terms[i])
           for (const auto& [b, d] : terms[j])
             if (a >= b)
@@ -345,7 +343,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> Vibration::rigid() const {
       r(row(n.y_plane, Dof::v), 1) = 1.0;
       r(row(n.z_plane, Dof::v), 2) = 1.0;
     }
-  for (std::size_t k = 0; k < s_.rollers.size(); ++k)
+  for (const auto k : indices(s_.rollers))
     for (const int node : s_.rollers[k].nodes) {
       r(row(node, Dof::u), 0) = 1.0;
       r(row(node, Dof::v), 1) = std::cos(f_.present[k].azimuth);
@@ -364,8 +362,7 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   };
   const auto values = [&](const Quadratic& k) {
     Eigen::VectorXd x(static_cast<Eigen::Index>(k.freedoms.size()));
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      x[i] = at(k.freedoms[static_cast<std::size_t>(i)].node, k.freedoms[static_cast<std::size_t>(i)].dof);
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = at(item_at(k.freedoms, i).node, item_at(k.freedoms, i).dof);
     return x;
   };
   Mode mode;
@@ -374,9 +371,9 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
   for (const Quadratic& m : masses_) {
     const Eigen::VectorXd force = m.matrix * values(m);
-    kinetic[static_cast<std::size_t>(m.share)] += values(m).dot(force);
+    item_at(kinetic, m.share) += values(m).dot(force);
     for (Eigen::Index i = 0; i < force.size(); ++i) {
-      const Freedom& freedom = m.freedoms[static_cast<std::size_t>(i)];
+      const Freedom& freedom = item_at(m.freedoms, i);
       moved += force[i] * r.row(fe::kDofsPerNode * freedom.node + static_cast<int>(freedom.dof)).transpose();
     }
   }
@@ -390,15 +387,15 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
     const fe::BeamVector<double> force = fe::end_forces<double>(b.beam, {x[3] - x[0], x[4] - x[1], x[2], x[5]});
     const int node = std::max(b.first, b.second);
     const Share share = node < of_nut ? Share::screw : node < of_rollers ? Share::nut : Share::roller;
-    strain[static_cast<std::size_t>(share)] += force.dot(Eigen::Map<const fe::BeamVector<double>>(x.data()));
+    item_at(strain, share) += force.dot(Eigen::Map<const fe::BeamVector<double>>(x.data()));
   }
   for (const fe::BarElement& b : s_.model.bars) {
     const double twist = at(b.second, Dof::u) - at(b.first, Dof::u);
-    strain[static_cast<std::size_t>(Share::screw)] += b.bar.stiffness() * twist * twist;
+    item_at(strain, Share::screw) += b.bar.stiffness() * twist * twist;
   }
   for (const FullStructure::Roller& roller : s_.rollers)
     for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < roller.contacts[i].size(); ++k) {
+      for (const auto k : indices(roller.contacts[i])) {
         const auto spring = static_cast<std::size_t>(roller.spring(i, k));
         const double w = of_form(s_.model.form_springs[spring].approach);
         mode.contact_strain[i] += tangents_[spring] * w * w;
@@ -422,10 +419,10 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   mode.frequency = std::sqrt(std::max(square, 0.0)) / (2.0 * std::numbers::pi);
   for (const Share s : {Share::screw, Share::roller, Share::nut}) {
     const Part part = s == Share::screw ? Part::screw : s == Share::nut ? Part::nut : Part::roller;
-    mode.kinetic[part] = kinetic[static_cast<std::size_t>(s)] / mass;
-    mode.strain[part] = strain[static_cast<std::size_t>(s)] / all;
+    mode.kinetic[part] = item_at(kinetic, s) / mass;
+    mode.strain[part] = item_at(strain, s) / all;
   }
-  mode.kinetic_of_masses = kinetic[static_cast<std::size_t>(Share::masses)] / mass;
+  mode.kinetic_of_masses = item_at(kinetic, Share::masses) / mass;
   for (const Interface i : kInterfaces) mode.contact_strain[i] /= all;
   mode.support_strain /= all;
   mode.prestress /= all;
@@ -442,7 +439,7 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   mode.axial.assign(static_cast<std::size_t>(f_.rollers), 0.0);
   mode.radial = mode.axial;
   const double middle = 0.5 * (f_.roller_ends.first + f_.roller_ends.last);
-  for (std::size_t k = 0; k < s_.rollers.size(); ++k) {
+  for (const auto k : indices(s_.rollers)) {
     const FullStructure::Roller& roller = s_.rollers[k];
     const auto next = std::upper_bound(roller.x.begin() + 1, roller.x.end() - 1, middle);
     const auto i = static_cast<std::size_t>(next - roller.x.begin());
@@ -475,7 +472,7 @@ ModesResult Vibration::solve() const {
   for (const Quadratic& m : masses_) {
     Eigen::Matrix<double, Eigen::Dynamic, 3> own(m.matrix.rows(), 3);
     for (Eigen::Index i = 0; i < own.rows(); ++i) {
-      const Freedom& freedom = m.freedoms[static_cast<std::size_t>(i)];
+      const Freedom& freedom = item_at(m.freedoms, i);
       own.row(i) = r.row(fe::kDofsPerNode * freedom.node + static_cast<int>(freedom.dof));
     }
     result.mass += (own.transpose() * m.matrix * own).diagonal();

@@ -6,6 +6,8 @@
 #include <functional>
 #include <unsupported/Eigen/FFT>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -25,7 +27,7 @@ double widest(const std::vector<double>& values, std::size_t count) {
   double width = 0.0;
   std::vector<std::size_t> low, high;  // Candidates for the extremes, the current ones at `from`.
   std::size_t low_from = 0, high_from = 0;
-  for (std::size_t k = 0; k < values.size(); ++k) {
+  for (const auto k : indices(values)) {
     const auto push = [&](std::vector<std::size_t>& queue, std::size_t& from, auto beats) {
       while (queue.size() > from && !beats(values[queue.back()], values[k])) queue.pop_back();
       queue.push_back(k);
@@ -78,7 +80,7 @@ class Collected {
     if (1.0 / share < kMostShown) all_.push_back(normal_load);
     for (const FullModel::Roller& r : f_.present) {
       const auto j = static_cast<std::size_t>(r.number);
-      for (std::size_t k = 0; k < normal_load[j].size(); ++k) {
+      for (const auto k : indices(normal_load[j])) {
         const double load = normal_load[j][k];
         loads.mean[j][k] += share * load;
         least_[j][k] = std::min(least_[j][k], load);
@@ -95,12 +97,12 @@ class Collected {
     loads.least = std::numeric_limits<double>::infinity();
     for (const FullModel::Roller& r : f_.present) {
       const auto j = static_cast<std::size_t>(r.number);
-      for (std::size_t k = 0; k < loads.mean[j].size(); ++k) {
+      for (const auto k : indices(loads.mean[j])) {
         loads.ripple[j][k] = most_[j][k] - least_[j][k];
         loads.least = std::min(loads.least, least_[j][k]);
       }
     }
-    for (const RollerThreads& at : all_) loads.of_roller.push_back(at[static_cast<std::size_t>(loads.roller - 1)]);
+    for (const RollerThreads& at : all_) loads.of_roller.push_back(item_at(at, loads.roller - 1));
     return std::move(loads);
   }
 
@@ -118,7 +120,7 @@ TravelBands travel_bands(const std::vector<double>& d, double sense, int one_tur
   const double last = static_cast<double>(d.size()) - 1.0;
   double mean = 0.0, slope = 0.0, square = 0.0;
   for (const double value : d) mean += value / (last + 1.0);
-  for (std::size_t k = 0; k < d.size(); ++k) {
+  for (const auto k : indices(d)) {
     const double from_middle = static_cast<double>(k) - 0.5 * last;
     slope += from_middle * (d[k] - mean);
     square += from_middle * from_middle;
@@ -127,7 +129,7 @@ TravelBands travel_bands(const std::vector<double>& d, double sense, int one_tur
   TravelBands bands;
   bands.mean = sense * slope * last;
   std::vector<double> left;
-  for (std::size_t k = 0; k < d.size(); ++k) {
+  for (const auto k : indices(d)) {
     bands.line.push_back(mean + slope * (static_cast<double>(k) - 0.5 * last));
     left.push_back(d[k] - bands.line.back());
   }
@@ -141,7 +143,7 @@ TravelBands travel_bands(const std::vector<double>& d, double sense, int one_tur
 std::vector<OrderAmplitude> travel_spectrum(const std::vector<double>& d, int turns) {
   const std::size_t count = d.size() - 1;
   std::vector<double> x(count);
-  for (std::size_t k = 0; k < count; ++k)
+  for (const auto k : up_to(count))
     x[k] = d[k] - d.front() - (d.back() - d.front()) * static_cast<double>(k) / static_cast<double>(count);
   std::vector<std::complex<double>> transformed;
   Eigen::FFT<double>().fwd(transformed, x);
@@ -167,14 +169,14 @@ std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Tr
   Eigen::MatrixXd a(rows, 2 + 2 * static_cast<Eigen::Index>(kept.size()));
   a.col(0).setOnes();
   a.col(1).setLinSpaced(rows, -1.0, 1.0);
-  for (std::size_t i = 0; i < kept.size(); ++i)
+  for (const auto i : indices(kept))
     for (Eigen::Index k = 0; k < rows; ++k) {
       const double phase = kept[i].order * kTurn * static_cast<double>(k) / t.steps;
       a(k, 2 + 2 * static_cast<Eigen::Index>(i)) = std::cos(phase);
       a(k, 3 + 2 * static_cast<Eigen::Index>(i)) = std::sin(phase);
     }
   const Eigen::VectorXd fit = a.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(d.data(), rows));
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+  for (const auto i : indices(kept)) {
     const auto at = 2 + 2 * static_cast<Eigen::Index>(i);
     kept[i].amplitude = std::hypot(fit[at], fit[at + 1]);
   }
@@ -197,7 +199,7 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
     FullModel f = model.model(theta);
     if (model.carrier) {
       turn_axes(f, turned);
-      for (std::size_t j = 0; j < f.present.size(); ++j)  // Rounding would change the zeros.
+      for (const auto j : indices(f.present))  // Rounding would change the zeros.
         f.present[j].azimuth = first.present[j].azimuth;
     }
     const FullDistribution d = solver(f);
@@ -216,7 +218,7 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
     add_support(r.nut, d.nut, turned);
     side_force.push_back({r.nut.force.back()[1], r.nut.force.back()[2]});
     r.bearings.resize(d.bearings.size());
-    for (std::size_t b = 0; b < r.bearings.size(); ++b) add_support(r.bearings[b], d.bearings[b], turned);
+    for (const auto b : indices(r.bearings)) add_support(r.bearings[b], d.bearings[b], turned);
     if (d.tangent_stiffness)
       r.tangent_stiffness.push_back(*d.tangent_stiffness);
     else if (!r.left_out_at)

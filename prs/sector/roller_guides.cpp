@@ -2,6 +2,8 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -31,7 +33,7 @@ class RollerBeam {
     for (const fe::FixedSupport& support : s.model.fixed_supports)
       if (is_roller(support.node)) {
         const int v = at(support.node, support.dof);
-        held[static_cast<std::size_t>(v)] = true;
+        item_at(held, v) = true;
         shapes_(v, end_of(support.node)) = 1.0;
       }
     for (const fe::ElasticSupport& support : s.model.elastic_supports) {
@@ -42,12 +44,12 @@ class RollerBeam {
     loads -= k * shapes_;
     std::vector<int> free;
     for (int i = 0; i < size_; ++i)
-      if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
+      if (!item_at(held, i)) free.push_back(i);
     const Eigen::SparseMatrix<double> banded = Eigen::MatrixXd(k(free, free)).sparseView();
     const Eigen::MatrixXd found =
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>(banded).solve(
             Eigen::MatrixXd(loads(free, Eigen::all)));
-    for (std::size_t i = 0; i < free.size(); ++i) shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
+    for (const auto i : indices(free)) shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
   }
 
   double shape(int end, int node, Dof dof) const { return shapes_(at(node, dof), end); }
@@ -67,9 +69,9 @@ void add_force(std::vector<fe::NodalLoad>& loads, const fe::RigidArm& at, double
 
 /// Friction of thread k on the roller, and its reaction on screw or nut.
 void add_friction(std::vector<fe::NodalLoad>& loads, const Sector& s, const RollerPush& push, Interface i, int k) {
-  const fe::SpringElement& spring = s.model.springs[static_cast<std::size_t>(s.spring(i, k))];
-  const double x = push.axial[i][static_cast<std::size_t>(k)];
-  const double y = push.radial[i][static_cast<std::size_t>(k)];
+  const fe::SpringElement& spring = item_at(s.model.springs, s.spring(i, k));
+  const double x = item_at(push.axial[i], k);
+  const double y = item_at(push.radial[i], k);
   const double sense = i == Interface::screw ? -1.0 : 1.0;
   add_force(loads, spring.from, sense * x, sense * y);
   add_force(loads, spring.to, -sense * x, -sense * y);
@@ -86,10 +88,10 @@ void add_centrifugal(std::vector<fe::NodalLoad>& loads, const Sector& s, const R
 RollerGuides::RollerGuides(const Sector& s) : sense_(s.sense), cosine_(s.cosine), sine_(s.sine) {
   const RollerBeam beam(s);
   for (int h = 0; h < 2; ++h) {
-    End& end = ends_[static_cast<std::size_t>(h)];
+    End& end = item_at(ends_, h);
     for (const Interface i : kInterfaces)
       for (int k = 0; k < s.contacts(); ++k) {
-        const fe::SpringElement& spring = s.model.springs[static_cast<std::size_t>(s.spring(i, k))];
+        const fe::SpringElement& spring = item_at(s.model.springs, s.spring(i, k));
         const fe::RigidArm& at = i == Interface::screw ? spring.to : spring.from;
         end.threads[i].push_back({beam.shape(h, at.node, Dof::v), -at.dy * beam.shape(h, at.node, Dof::theta)});
       }
@@ -103,13 +105,13 @@ RollerGuides::RollerGuides(const Sector& s) : sense_(s.sense), cosine_(s.cosine)
 std::array<double, 2> RollerGuides::forces(const PerInterface<std::vector<double>>& normal_load,
                                            const RollerPush& push) const {
   std::array<double, 2> r{};
-  for (std::size_t h = 0; h < 2; ++h) {
+  for (const auto h : up_to(2)) {
     const End& end = ends_[h];
     r[h] = -(end.of_thread * push.of_thread + end.of_heads * push.of_heads);
     for (const Interface i : kInterfaces) {
       // The screw pushes outwards, the nut inwards.
       const double side = i == Interface::screw ? 1.0 : -1.0;
-      for (std::size_t k = 0; k < end.threads[i].size(); ++k) {
+      for (const auto k : indices(end.threads[i])) {
         const At& phi = end.threads[i][k];
         const double x = side * sense_ * cosine_[i] * normal_load[i][k] + push.axial[i][k];
         const double y = side * sine_[i] * normal_load[i][k] + push.radial[i][k];
@@ -136,8 +138,7 @@ fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force, c
   std::vector<std::vector<fe::NodalLoad>> loads(equations.springs().size());
   for (std::vector<fe::NodalLoad>& one : loads) one.reserve(6);
   for (const Interface i : kInterfaces)
-    for (int k = 0; k < s.contacts(); ++k)
-      add_friction(loads[static_cast<std::size_t>(s.spring(i, k))], s, per_normal_load, i, k);
+    for (int k = 0; k < s.contacts(); ++k) add_friction(item_at(loads, s.spring(i, k)), s, per_normal_load, i, k);
   return {equations, axial_force / s.rollers * solver.unit_load() + equations.load_vector(centrifugal), loads};
 }
 

@@ -1,5 +1,7 @@
 #include "prs/sector/sector.h"
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -102,7 +104,7 @@ void add_contacts(Sector& s) {
   };
   const double nut_arm = s.nut_shell ? s.nut_shell->contact_arm : 0.0;
   for (const Interface i : kInterfaces)
-    for (std::size_t k = 0; k < s.screw_nodes.size(); ++k) {
+    for (const auto k : indices(s.screw_nodes)) {
       const bool at_screw = i == Interface::screw;
       const fe::RigidArm roller{roller_node(i, k), 0.0, at_screw ? -s.roller_radius : s.roller_radius};
       s.model.springs.push_back({at_screw ? fe::RigidArm{s.screw_nodes[k]} : roller,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/model/groove.h"
 #include "prs/sector/refined_formulas.h"
 #include "prs/threads/threads.h"
@@ -245,7 +246,7 @@ NutLine nut_line(const SectorModel& s) {
 
 NutLine nut_line(const SectorModel& s, const std::vector<double>& contact_x) {
   NutLine line;
-  set_line(line, s, static_cast<int>(contact_x.size()), [&](int k) { return contact_x[static_cast<std::size_t>(k)]; });
+  set_line(line, s, static_cast<int>(contact_x.size()), [&](int k) { return item_at(contact_x, k); });
   return line;
 }
 

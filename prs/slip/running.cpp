@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 
+#include "prs/indices.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_warnings.h"
 
@@ -128,7 +129,7 @@ class FixedPoint {
       const double before = r.change;
       double missed = 0.0;
       slip.resize(nuts.size());
-      for (std::size_t n = 0; n < nuts.size(); ++n) {
+      for (const auto n : indices(nuts)) {
         const SlipModel& model = nuts[n].model;
         SlipEquilibrium& found = slip[n];
         std::optional<double> next;
@@ -186,7 +187,7 @@ class FixedPoint {
     const PerInterface<FrictionForces> given{*threads().screw.friction, *threads().nut.friction};
     const auto set_in_proportion = [&](const PerInterface<std::vector<double>>& normal_load) {
       for (const Interface i : kInterfaces)
-        for (std::size_t k = 0; k < normal_load[i].size(); ++k) {
+        for (const auto k : indices(normal_load[i])) {
           const double times = start[i][k] > 0.0 ? normal_load[i][k] / start[i][k] : 0.0;
           for (const auto& [force, _] : kComponents)
             ((*threads()[i].friction).*force)[k] = times * (given[i].*force)[k];
@@ -234,7 +235,7 @@ class FixedPoint {
                                const PerInterface<std::vector<double>>& before) {
     double change = 0.0, load = 0.0;
     for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < now[i].size(); ++k) {
+      for (const auto k : indices(now[i])) {
         change = std::max(change, std::abs(now[i][k] - before[i][k]));
         load = std::max(load, now[i][k]);
       }
@@ -251,8 +252,8 @@ class FixedPoint {
       InterfaceLoads& loads = threads()[i];
       loads.normal_load = answer.normal_load[i];
       const double cosine = std::cos(loads.normal_angle);
-      for (std::size_t p = 0; p < rollers_.present.size(); ++p)
-        for (std::size_t k = 0; k < rollers_.threads; ++k) {
+      for (const auto p : indices(rollers_.present))
+        for (const auto k : up_to(rollers_.threads)) {
           const double s = rollers_.of_flanks() && p > 0 ? -named : named;
           const std::size_t at = rollers_.present[p] * rollers_.threads + k;
           const double friction = (i == Interface::screw ? 1.0 : -1.0) * push_[p].axial[i][k];
@@ -276,7 +277,7 @@ class FixedPoint {
       for (const auto& [force, axis] : kComponents) {
         std::vector<double>& values = friction.*force;
         values.resize(threads()[i].normal_load.size());
-        for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
+        for (const auto k : indices(t.patch_of_thread)) {
           double& value = values[nut.first + k] = 0.0;
           const std::optional<std::size_t> patch = t.patch_of_thread[k];
           if (!patch) continue;
@@ -295,7 +296,7 @@ class FixedPoint {
     for (const Interface i : kInterfaces) {
       InterfaceLoads& loads = threads()[i];
       const LoadedThreads& t = nut.model.threads[i];
-      for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
+      for (const auto k : indices(t.patch_of_thread)) {
         const std::size_t at = nut.first + k;
         if (!c_.contact.normal_angle[i])
           loads.axial_load[at] =
@@ -319,7 +320,7 @@ class FixedPoint {
           all.insert(all.end(), first, first + static_cast<std::ptrdiff_t>(rollers_.threads));
         }
       }
-    all.insert(all.end(), centrifugal.begin(), centrifugal.end());
+    append(all, centrifugal);
     return Eigen::Map<Eigen::VectorXd>(all.data(), std::ssize(all));
   }
   void take(const Eigen::VectorXd& x) {
@@ -436,7 +437,7 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*rest.threads)[i];
     FlankThreads& other = rest.other_flank->threads[i];
-    loads.normal_load.insert(loads.normal_load.end(), other.normal_load.begin(), other.normal_load.end());
+    append(loads.normal_load, other.normal_load);
     loads.axial_load.resize(2 * threads);
     loads.load_rate.resize(2 * threads);
     answer.normal_load[i] = loads.normal_load;
@@ -460,9 +461,7 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
         if (!last.solve.converged()) return to;
         to.guide_force = flanks_->guide_forces(last, named, of_flank(push));
         for (const Interface i : kInterfaces)
-          for (const Direction d : {named, opposite(named)})
-            to.normal_load[i].insert(to.normal_load[i].end(), last.sides[d].normal_load[i].begin(),
-                                     last.sides[d].normal_load[i].end());
+          for (const Direction d : {named, opposite(named)}) append(to.normal_load[i], last.sides[d].normal_load[i]);
         return to;
       },
       {}, last_slip_ratio_);
@@ -526,7 +525,7 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional
                 if (!bodies.follow(push)) return std::nullopt;
                 const Answer loads = answer_to(push, fe::NewtonStatus::converged);
                 for (const Interface i : kInterfaces)
-                  for (std::size_t k = 0; k < threads; ++k) {
+                  for (const auto k : up_to(threads)) {
                     push.axial[i][k] *= loads.normal_load[i][k];
                     push.radial[i][k] *= loads.normal_load[i][k];
                   }
@@ -550,7 +549,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
   Rollers rollers{{}, static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller)};
   const std::vector<int>& missing = conditions_.deviations.missing_rollers;
   for (int r = 0; r < contacts_.mechanism.rollers; ++r)
-    if (std::ranges::find(missing, r + 1) == missing.end()) rollers.present.push_back(static_cast<std::size_t>(r));
+    if (!contains(missing, r + 1)) rollers.present.push_back(static_cast<std::size_t>(r));
   const auto forces_on_guides = [&](const std::array<RingForce, 2>& rings) {
     std::vector<std::array<double, 2>> all;
     if (conditions_.model.roller == ModelOptions::Roller::flexible)
@@ -574,8 +573,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
     if (!all.loads.solve.converged()) return answer;
     answer.guide_force = forces_on_guides(all.loads.rings);
     for (const Interface i : kInterfaces)
-      for (const std::vector<double>& roller : all.loads.normal_load[i])
-        answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(), roller.end());
+      for (const std::vector<double>& roller : all.loads.normal_load[i]) append(answer.normal_load[i], roller);
     return answer;
   };
   all.slip = point

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "prs/indices.h"
 #include "prs/model/check_case.h"
 #include "prs/model/quantity_text.h"
 #include "prs/slip/running.h"
@@ -50,7 +51,7 @@ std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bod
                                           const KinematicGeometry& geometry, const ContactFrameOf<double>& frame,
                                           Interface i) {
   const ContactMotion motion = contact_motion(geometry, parts, i);
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (const auto k : up_to(2)) {
     const double sense = k == 0 ? -1.0 : 1.0;  // Sign of the sliding of the body against the roller.
     const auto along = [&](const contact::Vector3<double>& axis) {
       return 0.5 * (dot(motion.rolling, axis) + sense * dot(motion.sliding, axis));
@@ -144,7 +145,7 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
 void find_hottest(SlipResult& slip) {
   double hottest = -1.0;
   for (const Interface i : kInterfaces)
-    for (std::size_t k = 0; k < slip.threads[i].power.size(); ++k) {
+    for (const auto k : indices(slip.threads[i].power)) {
       const double density = slip.threads[i].power_density[k];
       if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = ThreadOf{i, static_cast<int>(k)};
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/slip/slip_search.h"
 
 namespace prs {
@@ -59,7 +60,7 @@ template <class Number>
 std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model, const RollerForcesOf<Number>& f,
                                              const Number& speed, const std::optional<std::array<double, 2>>& guides) {
   std::array<RollerHeadOf<Number>, 2> heads;
-  for (std::size_t h = 0; h < 2; ++h) {
+  for (const auto h : up_to(2)) {
     RollerHeadOf<Number>& head = heads[h];
     head.guide_force = guides ? Number((*guides)[h]) : -0.5 * f.contacts_x;
     if (!guides || !model.guides.carry_centrifugal) head.guide_force -= 0.5 * f.centrifugal;
@@ -178,7 +179,7 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
   heads.clear();
   for_each_roller(model, b.forces, b.motion.roller_to_carrier, [&](const auto& of_roller) {
     std::array<RollerHead, 2>& added = heads.emplace_back();
-    for (std::size_t h = 0; h < 2; ++h) {
+    for (const auto h : up_to(2)) {
       const auto& head = of_roller[h];
       added[h] = {head.guide_force, head.bearing_force, {}, {}};
       if (model.has_bearing()) added[h].torque = head.state.torque;
@@ -189,8 +190,7 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
   if (heads.size() == 1) heads.assign(static_cast<std::size_t>(model.rollers), std::array(heads.front()));
   const std::vector<int>& missing = model.guides.missing;
   for (std::size_t r = 0; r < heads.size() || r < missing.size(); ++r)
-    if (std::ranges::find(missing, static_cast<int>(r + 1)) != missing.end())
-      heads.emplace(heads.begin() + static_cast<std::ptrdiff_t>(r));
+    if (contains(missing, static_cast<int>(r + 1))) heads.emplace(heads.begin() + static_cast<std::ptrdiff_t>(r));
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {

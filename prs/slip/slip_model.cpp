@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 
@@ -59,7 +60,7 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
 std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials& materials, Part body) {
   std::array<contact::HeatedBody, 2> bodies;
   const Part parts[] = {Part::roller, body};
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (const auto k : up_to(2)) {
     const Material& m = materials[parts[k]];
     if (!m.conductivity || !m.density || !m.specific_heat) return std::nullopt;
     bodies[k] = {*m.conductivity, *m.density, *m.specific_heat};
@@ -185,7 +186,7 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
     threads.threads_per_roller = row;
     if (row > 0) threads.alike = 1.0 / model.rollers;
     const auto add = [&](const std::vector<double>& axial, const std::vector<double>& normal) {
-      for (std::size_t k = 0; k < normal.size(); ++k) {
+      for (const auto k : indices(normal)) {
         const bool other = loaded.other_flank && threads.patch_of_thread.size() >= flank;
         threads.patch_of_thread.push_back(std::nullopt);
         if (normal[k] <= 0.0) continue;
@@ -221,9 +222,9 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
     return guides;
   } else if (full) {
     for (int r = 0; r < contacts_.mechanism.rollers; ++r)
-      if (std::ranges::find(guides.missing, r + 1) == guides.missing.end())
-        guides.of_roller.push_back({loaded.full->rings[0].rollers[static_cast<std::size_t>(r)],
-                                    loaded.full->rings[1].rollers[static_cast<std::size_t>(r)]});
+      if (!contains(guides.missing, r + 1))
+        guides.of_roller.push_back(
+            {item_at(loaded.full->rings[0].rollers, r), item_at(loaded.full->rings[1].rollers, r)});
   } else if (!loaded.guides.empty()) {
     guides.of_roller.push_back(loaded.guides.front().of_ends());
   } else {
@@ -257,7 +258,7 @@ std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded) const {
       const FlankThreads& other = loaded.other_flank->threads[i];
       const auto part = [&](const std::vector<double>& first, const std::vector<double>& second) {
         std::vector<double> all = first;
-        all.insert(all.end(), second.begin(), second.end());
+        append(all, second);
         return std::vector<double>(all.begin() + row * threads, all.begin() + (row + 1) * threads);
       };
       const InterfaceLoads& loads = (*loaded.threads)[i];

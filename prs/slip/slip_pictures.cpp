@@ -1,5 +1,7 @@
 #include "prs/slip/slip_pictures.h"
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -66,8 +68,8 @@ SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_
     const LoadedThreads& threads = model.threads[i];
     const auto most =
         std::ranges::max_element(threads.contacts, {}, &LoadedThreads::Contact::axial_load) - threads.contacts.begin();
-    pictures.most_loaded_thread[i] = patch_field(models.grid(), threads.patches[static_cast<std::size_t>(most)],
-                                                 balance.sliding[i], c.model.patch_points);
+    pictures.most_loaded_thread[i] =
+        patch_field(models.grid(), item_at(threads.patches, most), balance.sliding[i], c.model.patch_points);
   }
   return pictures;
 }

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "prs/indices.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/quantity_text.h"
 
@@ -57,7 +58,7 @@ void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
 void warn_of_lifted_rollers(const LoadCaseResult& loaded, std::vector<Warning>& warnings) {
   const PerInterface<InterfaceLoads>& threads = *loaded.threads;
   int lifted = 0;
-  for (std::size_t k = 0; k < threads.screw.normal_load.size(); ++k)
+  for (const auto k : indices(threads.screw.normal_load))
     lifted += threads.screw.normal_load[k] == 0.0 && threads.nut.normal_load[k] > 0.0;
   const double centrifugal = loaded.slip->forces.centrifugal;
   if (!loaded.running || lifted == 0 || !(centrifugal > 0.0)) return;
@@ -219,7 +220,7 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
   if (std::abs(change(i)) <= kMuch) return std::nullopt;
   constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
   const Guidance& guidance = c.structure->roller.guidance;
-  const std::string_view kind = kGuidance[static_cast<std::size_t>(guidance.kind)];
+  const std::string_view kind = item_at(kGuidance, guidance.kind);
   const bool loose = guidance.clearance > 0.0;
   const double all = over_static[i].all, taken = 1.0 - std::pow(all, -3.0);
   return Warning{

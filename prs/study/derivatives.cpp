@@ -1,6 +1,7 @@
 #include "prs/study/derivatives.h"
 
 #include "prs/heat/analyze_heat.h"
+#include "prs/indices.h"
 #include "prs/input/units.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_engine.h"
@@ -28,7 +29,7 @@ auto derivative(const std::array<Values, 3>& forward, const std::array<Values, 3
 
 std::vector<ResultNumber> response_numbers(const Study& study) {
   std::vector<ResultNumber> numbers;
-  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+  for (const auto k : indices(study.responses)) {
     std::optional<ResultNumber> number = result_number(study.responses[k]);
     if (!number)
       throw UnknownResponse(k, fmt::format("got {}; expected a number of a contact, of the threads "
@@ -109,7 +110,7 @@ Eigen::VectorXd responses(Model& model, Command command, const std::vector<Resul
                           const std::vector<fe::State>& states) {
   std::vector<std::optional<LoadCaseResult>> results(model.load_cases.size());
   Eigen::VectorXd values(static_cast<Eigen::Index>(numbers.size()));
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
+  for (const auto k : indices(numbers)) {
     const LoadCaseResult* result = nullptr;
     if (const std::optional<std::size_t> index = numbers[k].load_case) {
       const LoadCase& load = model.load_cases[*index];
@@ -149,7 +150,7 @@ class BaseCase {
         numbers_(response_numbers(study)),
         model_(model_of(input::read_design(input, {}), study.command, numbers_, with_modes)) {
     states_.resize(model_.solvers.size());
-    for (std::size_t k = 0; k < states_.size(); ++k) {
+    for (const auto k : indices(states_)) {
       if (!model_.solvers[k]) continue;
       const LoadCase& load = model_.load_cases[k];
       if (!model_.solvers[k]->solve(load.axial_force).solve.converged())
@@ -166,16 +167,16 @@ class BaseCase {
   /// dR/dx with one step width. Throws if a value on the way has no mechanism.
   Eigen::VectorXd rates(const Factor& factor, double step) {
     std::array<Model, 3> forward, backward;
-    for (std::size_t m = 0; m < kDifference.size(); ++m) {
+    for (const auto m : indices(kDifference)) {
       const double shift = static_cast<double>(m + 1) * step;
       forward[m] = moved(factor, shift);
       backward[m] = moved(factor, -shift);
     }
     std::vector<Eigen::VectorXd> state_rates(states_.size());
-    for (std::size_t k = 0; k < states_.size(); ++k)
+    for (const auto k : indices(states_))
       if (model_.solvers[k]) state_rates[k] = state_rate(k, forward, backward, step);
     std::array<Eigen::VectorXd, 3> ahead, behind;
-    for (std::size_t m = 0; m < kDifference.size(); ++m) {
+    for (const auto m : indices(kDifference)) {
       const double shift = static_cast<double>(m + 1) * step;
       ahead[m] = responses(forward[m], study_.command, numbers_, shifted(state_rates, shift));
       behind[m] = responses(backward[m], study_.command, numbers_, shifted(state_rates, -shift));
@@ -194,7 +195,7 @@ class BaseCase {
                              double step) {
     const int size = model_.solvers[k]->equations().size();
     std::array<Eigen::VectorXd, 3> ahead, behind;
-    for (std::size_t m = 0; m < kDifference.size(); ++m) {
+    for (const auto m : indices(kDifference)) {
       const auto residual_in = [&](const Model& model) {
         if (model.solvers[k]->equations().size() != size)
           throw CaseError("study", "two sections of the nut meet here: faces, thrust section, contacts");
@@ -211,7 +212,7 @@ class BaseCase {
 
   std::vector<fe::State> shifted(const std::vector<Eigen::VectorXd>& rates, double shift) const {
     std::vector<fe::State> states = states_;
-    for (std::size_t k = 0; k < states.size(); ++k)
+    for (const auto k : indices(states))
       if (rates[k].size() > 0) states[k].set_to_step(states_[k], -shift, rates[k]);
     return states;
   }
@@ -239,7 +240,7 @@ double usual_size(std::string_view unit) {
 /// Keeps, response by response, the derivative with the smallest difference of its step widths.
 void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide, const Eigen::VectorXd& narrow,
                  const Eigen::VectorXd& values, double x, double size) {
-  for (std::size_t k = 0; k < kept.responses.size(); ++k) {
+  for (const auto k : indices(kept.responses)) {
     const auto at = static_cast<Eigen::Index>(k);
     const double error = std::abs(wide[at] - narrow[at]);
     // A change of less than this share of the response over the factor counts as none.
@@ -253,7 +254,7 @@ void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide, const Eig
 }
 
 bool complete(const FactorDerivatives& factor, const Eigen::VectorXd& values) {
-  for (std::size_t k = 0; k < factor.responses.size(); ++k)
+  for (const auto k : indices(factor.responses))
     if (std::isfinite(values[static_cast<Eigen::Index>(k)]) && !factor.responses[k]) return false;
   return true;
 }

@@ -1,5 +1,7 @@
 #include "prs/study/design_batches.h"
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -60,7 +62,7 @@ void BarBatch::add(std::size_t row, const Case& c, const Mechanism& mechanism,
     designs_.back().offsets = used_offsets_++;
   }
   if (sectors_.size() < first + load_cases_) sectors_.resize(first + load_cases_);
-  for (std::size_t i = 0; i < load_cases_; ++i) {
+  for (const auto i : up_to(load_cases_)) {
     const LoadCase& load = c.load_cases[load_cases[i]];
     const auto is_on_same_sector = [&](std::size_t k) {
       const LoadCase& other = c.load_cases[k];
@@ -90,7 +92,7 @@ void BarBatch::set_laws() {
     for (const Interface i : kInterfaces)
       if (design.overrides.hertz_constant[i] || design.overrides.normal_angle[i])
         design.laws[i] = numbers_of(contact_law(design.overrides, found_.interfaces[i], i));
-    for (std::size_t i = 0; i < load_cases_; ++i) {
+    for (const auto i : up_to(load_cases_)) {
       const std::size_t from = design.first_sector + i, to = next + i;
       if (from != to) std::swap(sectors_[from], sectors_[to]);
       forces_[to] = forces_[from];
@@ -109,7 +111,7 @@ void BarBatch::set_laws() {
 
 void BarBatch::set_gaps(const Design& design) {
   const auto& [deviations, materials] = offsets_[*design.offsets];
-  for (std::size_t i = 0; i < load_cases_; ++i)
+  for (const auto i : up_to(load_cases_))
     sectors_[design.first_sector + i].gaps = initial_gaps(
         design.mechanism, deviations, materials, {design.laws.screw.normal_angle, design.laws.nut.normal_angle},
         directions_[design.first_sector + i]);
@@ -124,7 +126,7 @@ bool BarBatch::set_results(const Design& design, const LoadDetail& detail) {
     return false;
   }
   results_.resize(load_cases_);
-  for (std::size_t i = 0; i < load_cases_; ++i) {
+  for (const auto i : up_to(load_cases_)) {
     const std::size_t k = design.first_sector + i;
     if (!FallbackSolver::complete(loads_[k], detail.tangent_stiffness)) return false;
     results_[i].load_case.axial_force = forces_[k];
@@ -150,8 +152,7 @@ void SectorBatch::add(std::size_t row, Case& c, const std::vector<std::size_t>& 
   const auto missing = [&](std::size_t k) { return k >= c.load_cases.size(); };
   const auto known = std::ranges::find_if(load_cases, missing) - load_cases.begin();
   design.load_cases.resize(static_cast<std::size_t>(known));
-  for (std::size_t i = 0; i < design.load_cases.size(); ++i)
-    design.load_cases[i].load_case = c.load_cases[load_cases[i]];
+  for (const auto i : indices(design.load_cases)) design.load_cases[i].load_case = c.load_cases[load_cases[i]];
   design.shared.reset();
   if (detail == Detail::numbers) design.shared = contacts_.add(c.mechanism, c.materials);
   if (!design.shared) design.contacts = checked_contacts(c, detail);
@@ -165,7 +166,7 @@ bool SectorBatch::add_sectors(std::size_t k) {
   const Conditions& c = design.conditions;
   design.laws = contact_laws(c, design.contacts);
   const auto first = static_cast<std::ptrdiff_t>(sectors_.size());
-  for (std::size_t i = 0; i < design.load_cases.size(); ++i) {
+  for (const auto i : indices(design.load_cases)) {
     LoadCaseResult& result = design.load_cases[i];
     const LoadCase& load = result.load_case;
     if (load.share == LoadCase::Share::equal) {
@@ -179,7 +180,7 @@ bool SectorBatch::add_sectors(std::size_t k) {
     SectorModel& model = at(models_, sectors_.size());
     const auto known = std::find_if(sectors_.begin() + first, sectors_.end(), is_on_same_sector);
     if (known != sectors_.end())
-      model = models_[static_cast<std::size_t>(known - sectors_.begin())];
+      model = item_at(models_, known - sectors_.begin());
     else
       set_sector_model(model, design.contacts.mechanism, *c.structure, *c.materials, c.model, design.laws,
                        *load.direction, *load.position, c.deviations);
@@ -210,7 +211,7 @@ void SectorBatch::solve_sectors(ContactDetail detail, bool tangent_stiffness) {
   contacts_.find();
   sectors_.clear();
   forces_.clear();
-  for (std::size_t k = 0; k < used_; ++k) prepare(k, detail);
+  for (const auto k : up_to(used_)) prepare(k, detail);
   const std::size_t count = sectors_.size();
   if (loads_.size() < count) loads_.resize(count);
   const std::span<const SectorModel> models(models_.data(), count);
@@ -218,7 +219,7 @@ void SectorBatch::solve_sectors(ContactDetail detail, bool tangent_stiffness) {
   bars_.tangent_stiffness = refined_.tangent_stiffness = tangent_stiffness;
   bars_.solve(models, forces_, loads);
   refined_.solve(models, forces_, loads);
-  for (std::size_t k = 0; k < count; ++k) {
+  for (const auto k : up_to(count)) {
     Design& design = designs_[sectors_[k].design];
     design.complete = design.complete && FallbackSolver::complete(loads_[k], tangent_stiffness);
     set_solved_result(design.load_cases[sectors_[k].load_case], design.contacts,
@@ -260,7 +261,7 @@ void SlipBatch::find() {
   contacts_.find();
   solver_.clear();
   std::size_t tasks = 0;
-  for (std::size_t d = 0; d < designs_.size(); ++d) {
+  for (const auto d : indices(designs_)) {
     Design& design = designs_[d];
     design.is_sound =
         contacts_.get(d, design.mechanism, design.threads, ContactDetail::laws, found_) && rolls(design.mechanism);
@@ -283,7 +284,7 @@ bool SlipBatch::set_results(const Design& design, const LoadDetail& loads, const
   const auto d = static_cast<std::size_t>(&design - designs_.data());
   contacts_.get(d, design.mechanism, design.threads, detail_, found_);
   results_.resize(load_cases_);
-  for (std::size_t i = 0; i < load_cases_; ++i) {
+  for (const auto i : up_to(load_cases_)) {
     const std::size_t k = d * load_cases_ + i;
     solver_.get(design.first_task + i, equilibrium_);
     if (!equilibrium_.ok()) return false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prs/indices.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/sector/chain/design_solvers.h"
 #include "prs/slip/slip.h"
@@ -123,7 +124,7 @@ class SectorBatch {
   template <class Take, class Leave>
   void solve(ContactDetail detail, bool tangent_stiffness, Take take, Leave leave) {
     if (used_ > 0) solve_sectors(detail, tangent_stiffness);
-    for (std::size_t k = 0; k < used_; ++k)
+    for (const auto k : up_to(used_))
       if (designs_[k].complete)
         take(designs_[k]);
       else

@@ -5,6 +5,7 @@
 #include "modules/response/response_analysis.h"
 #include "prs/compare/reference_analysis.h"
 #include "prs/heat/analyze_heat.h"
+#include "prs/indices.h"
 #include "prs/input/force_history.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/slip_analysis.h"
@@ -109,7 +110,7 @@ using ReadRow = std::function<Case&(DesignReader& reader, std::size_t row)>;
 /// alone.
 std::size_t place_of(std::size_t k, const std::vector<LoadCase>& all, Command command) {
   if (command != Command::contact) return k;
-  for (std::size_t at = 0; at < all.size(); ++at)
+  for (const auto at : indices(all))
     if (all[at].share == LoadCase::Share::equal && k-- == 0) return at;
   return all.size();
 }
@@ -356,7 +357,7 @@ struct DesignEngine::Parts {
   /// `known`: all that does not depend on the load case.
   void set_numbers(double* row, const Answer& known, const std::vector<LoadCaseResult>& results = {},
                    const std::vector<std::optional<LoadMeasures>>& load_measures = {}) const {
-    for (std::size_t k = 0; k < numbers->size(); ++k) {
+    for (const auto k : up_to(numbers->size())) {
       const ResultNumber& number = (*numbers)[k];
       Answer answer = known;
       if (number.load_case) {
@@ -381,7 +382,7 @@ struct DesignEngine::Parts {
       Json document;
       const DesignStatus status = by_document(c, of_references ? worker.reader.source() : input.source, document);
       if (status.converged())
-        for (std::size_t k = 0; k < study.responses.size(); ++k)
+        for (const auto k : indices(study.responses))
           row[k] = response(document, study.responses[k]).value_or(kNoResponse);
       return status;
     }

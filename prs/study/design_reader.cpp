@@ -3,6 +3,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "prs/indices.h"
 #include "prs/input/varied_input.h"
 #include "prs/record/record.h"
 
@@ -75,11 +76,11 @@ std::optional<Frame::Checked> checked_cases(const std::vector<LoadCase>& all, co
   for (const LoadCase& load : all)
     if (!names.insert(load.name).second) return std::nullopt;
   Frame::Checked checked;
-  for (std::size_t k = 0; k < all.size(); ++k)
+  for (const auto k : indices(all))
     if (!varies[k] && std::ranges::none_of(checked.load_cases,
                                            [&](const LoadCase& other) { return is_checked_alike(other, all[k]); }))
       checked.load_cases.push_back(all[k]);
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  for (const auto k : indices(all)) {
     if (!varies[k]) continue;
     checked.varied.push_back({checked.load_cases.size(), k});
     checked.load_cases.push_back(all[k]);
@@ -110,7 +111,7 @@ struct DesignReader::Parts {
   /// The shape of a design; false where a number must be read.
   bool find_shape(const std::vector<Draw>& draws, FrameShape& found) const {
     found.resize(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (const auto i : indices(values)) {
       const Draw& draw = draws[values[i].factor];
       if (draw.kind == Draw::Kind::as_in_file) {
         found[i] = kAsInFile;
@@ -136,7 +137,7 @@ struct DesignReader::Parts {
     const std::vector<input::LoadCaseItem>& items = made->file.load_cases;
     std::vector<LoadCase>& load_cases = made->file.values.load_cases;
     load_cases = input::expand(items);
-    for (std::size_t i = 0; i < of.size(); ++i) {
+    for (const auto i : indices(of)) {
       if (of[i] != kNumber) continue;
       const std::string& path = values[i].path;
       if (made->file.speeds_follow_lead && path == "mechanism.lead") return nullptr;

@@ -13,6 +13,8 @@
 #include <map>
 #include <numbers>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -40,7 +42,7 @@ std::vector<std::uint64_t> direction_numbers() {
   boost::random::sobol points(kMostSobolDimensions);
   for (unsigned b = 0; b < kBits; ++b) {
     points.seed((std::uint64_t{1} << b) - 1);  // Boost leaves out the point 0.
-    for (std::size_t d = 0; d < kMostSobolDimensions; ++d) {
+    for (const auto d : up_to(kMostSobolDimensions)) {
       std::uint64_t* const own = &numbers[d * kBits];
       own[b] = points() ^ (b > 0 ? own[b - 1] : 0);
     }
@@ -204,7 +206,7 @@ std::vector<std::string> words_of(const Factor& factor) {
   std::vector<std::string> words;
   if (factor.is_numeric()) return words;
   for (const Level& level : factor.levels) words.push_back(level.text);
-  if (factor.base && std::ranges::find(words, factor.base->text) == words.end()) words.push_back(factor.base->text);
+  if (factor.base && !contains(words, factor.base->text)) words.push_back(factor.base->text);
   return words;
 }
 
@@ -252,7 +254,7 @@ std::string label_of_block(const Study& study, std::size_t factor) {
 std::vector<std::size_t> halved_blocks(const Study& study) {
   const std::vector<std::size_t> blocks = blocks_of(study);
   std::vector<std::size_t> halved;
-  for (std::size_t b = 0; b < blocks.size(); ++b)
+  for (const auto b : indices(blocks))
     if (!study.factors[blocks[b]].kept) halved.push_back(b);
   return halved;
 }
@@ -283,7 +285,7 @@ void set_draws(const Study& study, std::size_t k, std::vector<Draw>& draws) {
   } else {
     const Sample sample = sample_of(study, k);
     std::size_t block = 0;
-    for (std::size_t i = 0; i < draws.size(); ++i) {
+    for (const auto i : indices(draws)) {
       const Factor& factor = study.factors[i];
       if (i > 0 && !factor.with_previous) ++block;
       draws[i] = drawn(factor, share(study, i, block, sample));
@@ -312,7 +314,7 @@ Design design(const Study& study, const std::vector<Draw>& draws) {
   assert(draws.size() == study.factors.size());
   Design design;
   design.settings.reserve(draws.size());
-  for (std::size_t i = 0; i < draws.size(); ++i) {
+  for (const auto i : indices(draws)) {
     if (draws[i].kind == Draw::Kind::as_in_file) continue;
     const Factor& factor = study.factors[i];
     Setting setting{i, *value_in(factor, draws[i]), {}};
@@ -326,7 +328,7 @@ bool is_base(const Study& study, const Design& design) {
   return std::ranges::all_of(design.settings, [&](const Setting& setting) {
     const Factor& factor = study.factors[setting.factor];
     if (!is_same(setting.level, factor.base)) return false;
-    for (std::size_t k = 0; k < factor.companions.size(); ++k)
+    for (const auto k : indices(factor.companions))
       if (!is_same(setting.companions[k], factor.companions[k].base)) return false;
     return true;
   });
@@ -337,7 +339,7 @@ std::vector<std::string> overrides(const Study& study, const Design& design) {
   for (const Setting& setting : design.settings) {
     const Factor& factor = study.factors[setting.factor];
     texts.push_back(override_text(factor, setting.level));
-    for (std::size_t k = 0; k < factor.companions.size(); ++k)
+    for (const auto k : indices(factor.companions))
       texts.push_back(override_text(factor.companions[k], setting.companions[k]));
   }
   return texts;
@@ -418,7 +420,7 @@ std::vector<double> factor_values(const Study& study, const std::vector<FactorCo
   std::vector<Draw> drawn;
   for (std::size_t k = first; k < first + count; ++k) {
     set_draws(study, k, drawn);
-    for (std::size_t f = 0; f < columns.size(); ++f)
+    for (const auto f : indices(columns))
       values.push_back(value_of(*inputs[f].input, columns[f], drawn[inputs[f].factor]));
   }
   return values;

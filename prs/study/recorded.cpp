@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "prs/indices.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/study/response.h"
 
@@ -59,7 +60,7 @@ std::optional<std::string> place_in_envelope(const Study& study, const std::stri
   };
   const auto& [combine, normalise, measures, points] = *study.envelope;
   if (const auto k = index_in(measures)) return fmt::format("study.envelope.measures[{}].response", *k);
-  for (std::size_t point = 0; point < points.size(); ++point)
+  for (const auto point : indices(points))
     if (const auto k = index_in(points[point].reach))
       return fmt::format("study.envelope.points[{}].reach[{}].response", point, *k);
   return std::nullopt;
@@ -73,10 +74,10 @@ std::vector<std::string> recorded_columns(const Study& study, const Json& docume
     if (!document.is_null()) std::erase_if(columns, [&](const std::string& path) { return !response(document, path); });
     return columns;
   }
-  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+  for (const auto k : indices(study.responses)) {
     const std::string& path = study.responses[k];
     const auto add = [&](const std::string& column) {
-      if (std::ranges::find(columns, column) != columns.end())
+      if (contains(columns, column))
         throw UnknownResponse(k, fmt::format("got {} a second time, with its array; expected each number once; delete "
                                              "one of them",
                                              column));
@@ -98,7 +99,7 @@ std::vector<std::string> recorded_columns(const Study& study, const Json& docume
           k, fmt::format("got {}, an array of {} numbers; expected one number; write for example `{}.max` or `{}`",
                          path, count, path, entry(path, 0)));
     if (count == threads) count = most_threads(study, threads);
-    for (std::size_t e = 0; e < count; ++e) add(entry(path, e));
+    for (const auto e : up_to(count)) add(entry(path, e));
   }
   return columns;
 }

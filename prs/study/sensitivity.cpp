@@ -9,6 +9,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -56,7 +58,7 @@ double NormalisedFactor::operator()(double value) const {
 std::vector<NormalisedFactor> normalised_factors(const Study& study) {
   std::vector<NormalisedFactor> factors;
   if (!is_sampled(study.plan)) return factors;
-  for (std::size_t k = 0; k < study.factors.size(); ++k)
+  for (const auto k : indices(study.factors))
     if (const auto factor = normalised(study.factors[k], k)) factors.push_back(*factor);
   return factors;
 }
@@ -144,7 +146,7 @@ std::vector<std::optional<LinearFit>> LinearRegression::fits() const {
       if (left_over > 0.0) effect.standard_error = std::sqrt(residual / left_over) * root_of_covariance(i);
       fit.effects.push_back(effect);
     }
-    fits[static_cast<std::size_t>(j)] = std::move(fit);
+    item_at(fits, j) = std::move(fit);
   }
   return fits;
 }
@@ -309,7 +311,7 @@ bool is_clearly_followed(const ResponseSurfaces* surfaces, std::size_t factor) {
 }  // namespace
 
 FollowedFactors::FollowedFactors(const Study& study) : study_(study), seen_(study.factors.size()) {
-  for (std::size_t f = 0; f < seen_.size(); ++f) {
+  for (const auto f : indices(seen_)) {
     const std::size_t levels = study.factors[f].levels.size();
     seen_[f].varies = levels != 1;
     for (std::size_t level = 0; level + 1 < levels; ++level) seen_[f].last_weight -= level_weight(level);
@@ -325,9 +327,9 @@ void FollowedFactors::compare(Seen& seen, std::span<const double> row) const {
 void FollowedFactors::add_to_grid(std::span<const double> row, std::size_t design) {
   const std::uint64_t hash = hash_of(row);
   const std::vector<Draw> drawn = draws(study_, design);
-  for (std::size_t f = 0; f < seen_.size(); ++f) {
+  for (const auto f : indices(seen_)) {
     std::uint64_t line = f;
-    for (std::size_t g = 0; g < seen_.size(); ++g)
+    for (const auto g : indices(seen_))
       if (g != f) line = mixed_bits(line + kGoldenStep + drawn[g].level);
     const std::size_t level = drawn[f].level;
     const bool last = level + 1 == study_.factors[f].levels.size();
@@ -358,7 +360,7 @@ void FollowedFactors::add(std::span<const double> row, std::size_t design) {
 
 std::vector<std::size_t> FollowedFactors::idle() const {
   std::vector<std::size_t> idle;
-  for (std::size_t f = 0; f < seen_.size(); ++f)
+  for (const auto f : indices(seen_))
     if (const Seen& s = seen_[f]; s.varies && s.compared && !s.followed && s.sum == 0) idle.push_back(f);
   return idle;
 }
@@ -368,7 +370,7 @@ std::vector<std::size_t> idle_drawn_factors(
     const std::function<RowBlock(const std::vector<std::vector<Draw>>&)>& evaluate) {
   std::vector<std::size_t> tried;
   std::vector<std::vector<Draw>> designs;
-  for (std::size_t f = 0; f < study.factors.size(); ++f) {
+  for (const auto f : indices(study.factors)) {
     if (is_clearly_followed(surfaces, f)) continue;
     const auto extremes = extreme_draws(study, f);
     if (!extremes) continue;
@@ -384,7 +386,7 @@ std::vector<std::size_t> idle_drawn_factors(
   const RowBlock block = evaluate(designs);
   const std::size_t width = study.responses.size();
   const auto row = [&](std::size_t k) { return std::span(block.responses).subspan(k * width, width); };
-  for (std::size_t i = 0; i < tried.size(); ++i) {
+  for (const auto i : indices(tried)) {
     bool compared = false, followed = false;
     for (const std::size_t k : {4 * i, 4 * i + 2}) {
       compared = compared || has_numbers(row(k));

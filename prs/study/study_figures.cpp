@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/record/table_units.h"
 #include "prs/study/recorded.h"
 #include "prs/study/study_pictures.h"
@@ -28,8 +29,8 @@ GridData thinned(const GridData& grid, std::size_t most) {
 /// The grid without outer rows and columns that have no number: designs without an answer.
 GridData answered(const GridData& grid) {
   std::array<std::size_t, 2> from{grid.x.size(), grid.y.size()}, to{};
-  for (std::size_t i = 0; i < grid.x.size(); ++i)
-    for (std::size_t j = 0; j < grid.y.size(); ++j)
+  for (const auto i : indices(grid.x))
+    for (const auto j : indices(grid.y))
       if (std::isfinite(grid.at(i, j))) {
         from = {std::min(from[0], i), std::min(from[1], j)};
         to = {std::max(to[0], i + 1), std::max(to[1], j + 1)};
@@ -70,7 +71,7 @@ bool is_mapped(const Factor& factor) { return factor.is_numeric() && factor.leve
 /// with most levels, in the order of the study.
 std::array<std::size_t, 2> map_factors(const Study& study, const FigureOptions& options) {
   std::vector<std::size_t> usable;
-  for (std::size_t k = 0; k < study.factors.size(); ++k)
+  for (const auto k : indices(study.factors))
     if (is_mapped(study.factors[k])) usable.push_back(k);
   if (usable.size() < 2) throw NoFigure("a map needs two factors of numbers with several values each");
   const auto named = [&](const std::string& name) {
@@ -119,7 +120,7 @@ using Held = std::vector<std::pair<std::size_t, std::string>>;
 /// All factors but those of the axes, which the title names.
 Held hold_others(const Study& study, std::size_t x, std::size_t y, Figure& figure) {
   Held held;
-  for (std::size_t k = 0; k < study.factors.size(); ++k) {
+  for (const auto k : indices(study.factors)) {
     if (k == x || k == y) continue;
     held.emplace_back(k, held_level(study.factors[k]));
     if (study.plan == Plan::grid)
@@ -205,14 +206,14 @@ std::optional<Figure> array_surface(const StudyResult& result, const std::vector
   if (study.factors.size() > 1) figure.name += study_figure_name(factor, study.factors[factor].label).substr(2);
   const Held held = hold_others(study, factor, factor, figure);
   GridData grid{without_repeats(positions(study.factors[factor])), {}, {}};
-  for (std::size_t k = 0; k < array.count; ++k) grid.y.push_back(static_cast<double>(k + 1));
+  for (const auto k : up_to(array.count)) grid.y.push_back(static_cast<double>(k + 1));
   grid.values.assign(grid.x.size() * array.count, kFree);
   for (std::size_t r = 1; r < result.rows.size(); ++r) {
     const StudyRow& row = result.rows[r];
     const std::optional<double> at = number_in(study, row, factor);
     const auto varies = [&](const Setting& setting) { return setting.factor == factor; };
     if (!at || !is_shown(row, held) || std::ranges::none_of(row.design.settings, varies)) continue;
-    for (std::size_t k = 0; k < array.count; ++k)
+    for (const auto k : up_to(array.count))
       if (const std::optional<double>& value = row.responses[array.first + k])
         grid.values[index_in(grid.x, *at) * array.count + k] = *value;
   }
@@ -283,7 +284,7 @@ Figure variance_figure(const StudyResult& result, std::size_t response, const Re
   Series intervals{figure.add("95 %", line_of(Colour::ink, Dash::solid, Weight::thin))};
   const std::size_t bars = std::min(indices.factors.size(), kMostBars);
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < bars; ++k) {
+  for (const auto k : up_to(bars)) {
     const FactorIndices& factor = indices.factors[k];
     names.push_back(block_name(result.study, factor.factor));
     add_estimate(factor.first, rank_position(k, bars) + 0.2, first, intervals);
@@ -291,11 +292,7 @@ Figure variance_figure(const StudyResult& result, std::size_t response, const Re
   }
   Panel panel;
   panel.series = {std::move(first), std::move(total), std::move(intervals)};
-  panel.references.push_back({figure.add(kZeroStyle), 0.0, true});
-  figure.y = ranked_axis(names);
-  figure.aspect = 0.08 + 0.065 * static_cast<double>(bars);
-  figure.panels.push_back(std::move(panel));
-  return figure;
+  return ranked(std::move(figure), std::move(panel), names, 0.065);
 }
 
 Figure gain_figure(const StudyResult& result, std::size_t response, const std::vector<ToleranceGain>& gains) {
@@ -312,6 +309,12 @@ Figure gain_figure(const StudyResult& result, std::size_t response, const std::v
   return ranked_bars(std::move(figure), names, values, {"gain", "loss"});
 }
 
+/// Value of a factor in a drawn design.
+std::optional<double> value_of(const StudyRow& row, std::size_t factor) {
+  const auto setting = std::ranges::find(row.design.settings, factor, &Setting::factor);
+  return setting == row.design.settings.end() ? std::nullopt : setting->level.number;
+}
+
 /// Value of the surface over one factor, the others in the middle of their ranges.
 Polyline line_of_fit(const FactorEffect& effect, double intercept, const NormalisedFactor& x, double from, double to) {
   return {{from, intercept + effect.coefficient * x(from)}, {to, intercept + effect.coefficient * x(to)}};
@@ -326,7 +329,7 @@ Figure cloud_figure(const StudyResult& result, std::size_t response, const Linea
   const std::size_t line = figure.add("linear surface, others in the middle", line_of(Colour::vermillion));
   const std::size_t panels = std::min(fit.effects.size(), most);
   figure.columns = columns_for(panels);
-  for (std::size_t rank = 0; rank < panels; ++rank) {
+  for (const auto rank : up_to(panels)) {
     const std::size_t factor = fit.effects[rank].factor;
     Panel& panel = figure.panels.emplace_back();
     Series cloud{dots, {{}}};
@@ -355,7 +358,7 @@ Panel histogram_panel(const StudyResult& result, std::size_t response) {
   Series bars{0};
   const double width = (h.to - h.from) / static_cast<double>(h.counts.size());
   Range counts{0.0, 0.0};
-  for (std::size_t k = 0; k < h.counts.size(); ++k) {
+  for (const auto k : indices(h.counts)) {
     const double left = h.from + width * static_cast<double>(k);
     const auto count = static_cast<double>(h.counts[k]);
     counts.include(count);
@@ -411,7 +414,7 @@ Figures array_surfaces(const StudyResult& result, const FigureOptions& options) 
   const Study& study = result.study;
   std::vector<std::size_t> factors;
   if (is_sampled(study.plan)) return {};
-  for (std::size_t k = 0; k < study.factors.size(); ++k)
+  for (const auto k : indices(study.factors))
     if (is_mapped(study.factors[k]) &&
         (!options.x || options.x == study.factors[k].path || options.x == study.factors[k].label))
       factors.push_back(k);
@@ -419,7 +422,7 @@ Figures array_surfaces(const StudyResult& result, const FigureOptions& options) 
     factors = {*std::ranges::max_element(factors, {}, [&](std::size_t k) { return study.factors[k].levels.size(); })};
   Figures figures;
   const std::vector<Recorded> all = recorded(study.responses);
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  for (const auto k : indices(all)) {
     if (!all[k].is_array() || (options.response && *options.response != all[k].path)) continue;
     for (const std::size_t factor : factors)
       if (auto figure = array_surface(result, all, k, factor); figure && figures.size() < kMostStudyFigures)

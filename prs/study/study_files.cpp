@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/output/files.h"
 #include "prs/study/study_pictures.h"
@@ -21,7 +22,7 @@ constexpr int kNoWord = -1;
 std::vector<std::string> known_statuses() {
   std::vector<std::string> names{"converged", "refused", "failed"};
   const auto add = [&](std::string_view name) {
-    if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+    if (!contains(names, name)) names.emplace_back(name);
   };
   for (const fe::NewtonStatus status : {fe::NewtonStatus::iteration_limit, fe::NewtonStatus::line_search_failed,
                                         fe::NewtonStatus::not_positive_definite})
@@ -101,11 +102,11 @@ void factor_field(CsvWriter& csv, const FactorColumn& column, double value) {
   if (column.is_numeric())
     csv.number(value);
   else
-    csv.text(value >= 0.0 ? column.words[static_cast<std::size_t>(value)] : "");
+    csv.text(value >= 0.0 ? item_at(column.words, value) : "");
 }
 
 void input_fields(CsvWriter& csv, const std::vector<FactorColumn>& columns, const std::vector<Level>& inputs) {
-  for (std::size_t k = 0; k < columns.size(); ++k)
+  for (const auto k : indices(columns))
     if (columns[k].is_numeric())
       csv.number(inputs[k].number);
     else
@@ -139,7 +140,7 @@ void StudyNetcdf::define(const Study& study, const DocumentInfo& info) {
   if (is_sampled(study.plan)) describe("seed", static_cast<unsigned long long>(study.seed));
   file_->set_length("design", design_count(study));
   const std::vector<DrawnInput> inputs = drawn_inputs(study);
-  for (std::size_t f = 0; f < columns_.size(); ++f) define_factor(*inputs[f].input, columns_[f]);
+  for (const auto f : indices(columns_)) define_factor(*inputs[f].input, columns_[f]);
   for (const Recorded& response : recorded_) define_response(response);
   const int status = file_->add_column("status", ColumnFile::Type::byte);
   variables_.push_back({status});
@@ -197,13 +198,13 @@ double StudyNetcdf::flag_of(const std::string& status) {
 
 void StudyNetcdf::add(const RowBlock& block, const std::vector<double>& factors) {
   const std::size_t inputs = columns_.size(), width = block.rows ? block.responses.size() / block.rows : 0;
-  for (std::size_t row = 0; row < block.rows; ++row) {
-    for (std::size_t f = 0; f < inputs; ++f) {
+  for (const auto row : up_to(block.rows)) {
+    for (const auto f : up_to(inputs)) {
       const double value = factors[row * inputs + f];
       const bool is_there = columns_[f].is_numeric() || value >= 0.0;
       variables_[f].values.push_back(is_there ? value : kNoWord);
     }
-    for (std::size_t k = 0; k < recorded_.size(); ++k) {
+    for (const auto k : indices(recorded_)) {
       const auto from = block.responses.begin() + static_cast<std::ptrdiff_t>(row * width + recorded_[k].first);
       std::vector<double>& values = variables_[inputs + k].values;
       values.insert(values.end(), from, from + static_cast<std::ptrdiff_t>(recorded_[k].count));
@@ -279,16 +280,15 @@ std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& fac
   CsvWriter csv(style_, CsvWriter::Part::rows);
   const std::size_t width = study_.responses.size();
   csv.reserve(block.rows * (kUsualField * (columns_.size() + width) + kUsualField));
-  for (std::size_t row = 0; row < block.rows; ++row) {
+  for (const auto row : up_to(block.rows)) {
     csv.integer(block.first + row);
     if (study_.plan == Plan::one_at_a_time)
       setting_fields(csv, study_, design(study_, block.first + row));
     else
-      for (std::size_t f = 0; f < columns_.size(); ++f)
-        factor_field(csv, columns_[f], factors[row * columns_.size() + f]);
+      for (const auto f : indices(columns_)) factor_field(csv, columns_[f], factors[row * columns_.size() + f]);
     const DesignStatus status = block.status(row);
     csv.fields(status.name, status.reason);
-    for (std::size_t k = 0; k < width; ++k) csv.number(block.responses[row * width + k]);
+    for (const auto k : up_to(width)) csv.number(block.responses[row * width + k]);
     csv.end_row();
   }
   return csv.take();
@@ -305,7 +305,7 @@ std::string envelope_csv(const Study& study, const GridMaps& maps, const Envelop
   csv.row("envelope");
 
   const std::size_t row = maps.axes[1].nodes();
-  for (std::size_t k = 0; k < maps.nodes(); ++k) {
+  for (const auto k : up_to(maps.nodes())) {
     csv.fields("", maps.design(k));
     input_fields(csv, columns, inputs_at(study, maps, {static_cast<double>(k / row), static_cast<double>(k % row)}));
     for (const GridMap& map : maps.responses) csv.number(map[k]);
@@ -333,7 +333,7 @@ std::vector<std::size_t> ranked(const CaseDerivatives& result, std::size_t respo
     const auto& elasticity = result.factors[factor].responses[response]->elasticity;
     return elasticity ? std::abs(*elasticity) : -1.0;
   };
-  for (std::size_t k = 0; k < result.factors.size(); ++k) {
+  for (const auto k : indices(result.factors)) {
     const std::optional<Derivative>& d = result.factors[k].responses[response];
     const std::optional<Level>& base = result.study.factors[k].base;
     if (d && (d->elasticity || (base && base->number == 0.0))) order.push_back(k);
@@ -354,7 +354,7 @@ struct DerivativeOf {
   const std::optional<Derivative>& found() const { return result->factors[factor].responses[response]; }
   std::vector<DerivativeOf> by_factors() const {
     std::vector<DerivativeOf> all;
-    for (std::size_t k = 0; k < result->factors.size(); ++k) all.push_back({result, response, k});
+    for (const auto k : indices(result->factors)) all.push_back({result, response, k});
     return all;
   }
 };
@@ -386,7 +386,7 @@ constexpr Quantity<CaseDerivatives> kDerivatives[] = {
     {"derivatives", always_table<kOfResponse,
                                  [](auto& result) {
                                    std::vector<DerivativeOf> all;
-                                   for (std::size_t k = 0; k < result.values.size(); ++k) all.push_back({&result, k});
+                                   for (const auto k : indices(result.values)) all.push_back({&result, k});
                                    return all;
                                  }>},
 };
@@ -394,7 +394,7 @@ constexpr Quantity<CaseDerivatives> kDerivatives[] = {
 /// The responses that have no derivative by a factor, by name.
 std::string without_derivative(const CaseDerivatives& result, std::size_t factor) {
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < result.study.responses.size(); ++k)
+  for (const auto k : indices(result.study.responses))
     if (!result.factors[factor].responses[k]) names.push_back(response_title(result.study.responses[k]).name);
   if (names.size() > 1 && names.size() == result.study.responses.size()) return "any response";
   return fmt::format("{}", fmt::join(names, ", "));
@@ -405,7 +405,7 @@ Figures elasticities(const CaseDerivatives& result, const FigureOptions& options
   constexpr std::size_t kMostDrawn = 14;
   return figures_of(result.study.responses, options, [&](std::size_t response) -> std::optional<Figure> {
     std::vector<std::pair<double, std::string>> bars;
-    for (std::size_t f = 0; f < result.factors.size(); ++f)
+    for (const auto f : indices(result.factors))
       if (const auto& d = result.factors[f].responses[response]; d && d->elasticity)
         bars.emplace_back(*d->elasticity, factor_name(result.study.factors[f]));
     if (bars.empty()) return std::nullopt;
@@ -433,8 +433,8 @@ Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
 std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style) {
   CsvWriter csv(style);
   csv.row("response", "value", "factor", "label", "at", "unit", "derivative", "percent_per_percent", "error", "reason");
-  for (std::size_t k = 0; k < result.values.size(); ++k)
-    for (std::size_t f = 0; f < result.factors.size(); ++f) {
+  for (const auto k : indices(result.values))
+    for (const auto f : indices(result.factors)) {
       const Factor& factor = result.study.factors[f];
       const std::optional<Derivative>& d = result.factors[f].responses[k];
       csv.fields(result.study.responses[k], result.values[k], factor.path, factor.label,
@@ -449,7 +449,7 @@ std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style
 
 std::string derivatives_table(const CaseDerivatives& result) {
   std::string text;
-  for (std::size_t k = 0; k < result.values.size(); ++k) {
+  for (const auto k : indices(result.values)) {
     const auto& [title, shown] = table_response(result.study.responses[k]);
     text += fmt::format("{}{}: {}{}\n", k > 0 ? "\n" : "", title.name,
                         result.values[k] ? fmt::format("{:.6g}", shown * *result.values[k]) : "absent",
@@ -463,7 +463,7 @@ std::string derivatives_table(const CaseDerivatives& result) {
                           shown * d.value, factor.unit.empty() ? "1" : printable(factor.unit));
     }
   }
-  for (std::size_t f = 0; f < result.factors.size(); ++f)
+  for (const auto f : indices(result.factors))
     if (!result.factors[f].reason.empty())
       text += "\n" + wrapped(fmt::format("{}: no derivative of {}: {}", printable(result.study.factors[f].label),
                                          without_derivative(result, f), printable(result.factors[f].reason)),

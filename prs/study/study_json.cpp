@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/study/recorded.h"
 #include "prs/study/study_files.h"
 
@@ -99,7 +100,7 @@ constexpr Quantity<Statistics> kStatistics[] = {
     {"max_design", of_some<&Statistics::max_design>},
     {"quantiles", of_some<[](auto& s) {
        ByKey<double> quantiles;
-       for (std::size_t k = 0; k < kProbabilities.size(); ++k)
+       for (const auto k : indices(kProbabilities))
          quantiles.emplace_back(fmt::format("{:g}", kProbabilities[k]), s.quantiles[k]);
        return quantiles;
      }>,
@@ -137,7 +138,7 @@ constexpr Quantity<StudyResult> kSurface[] = {
     {"responses", filled_table<kFit,
                                [](auto& r) {
                                  ByKey<In<LinearFit>> fits;
-                                 for (std::size_t k = 0; k < r.summary.surfaces->fits.size(); ++k)
+                                 for (const auto k : indices(r.summary.surfaces->fits))
                                    if (const std::optional<LinearFit>& fit = r.summary.surfaces->fits[k])
                                      fits.push_back({r.study.responses[k], {&r, &*fit}});
                                  return fits;
@@ -204,7 +205,7 @@ using Map = std::vector<std::vector<double>>;
 static Map rows_of(const StudyResult& result, const GridMap& map) {
   const GridMaps& maps = *result.summary.maps;
   Map rows;
-  for (std::size_t i = 0; i < maps.axes[0].nodes(); ++i)
+  for (const auto i : up_to(maps.axes[0].nodes()))
     rows.emplace_back(&map[maps.node(i, 0)], &map[maps.node(i, 0)] + maps.axes[1].nodes());
   return rows;
 }
@@ -287,7 +288,7 @@ constexpr Quantity<InRow> kRow[] = {
        for (const Setting& setting : row.item->design.settings) {
          const Factor& factor = row.whole->study.factors[setting.factor];
          settings.emplace_back(factor.path, &setting.level);
-         for (std::size_t k = 0; k < factor.companions.size(); ++k)
+         for (const auto k : indices(factor.companions))
            settings.emplace_back(factor.companions[k].path, &setting.companions[k]);
        }
        return settings;

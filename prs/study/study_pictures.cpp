@@ -1,5 +1,6 @@
 #include "prs/study/study_pictures.h"
 
+#include "prs/indices.h"
 #include "prs/losses/slip_figures.h"
 #include "prs/record/table_units.h"
 #include "prs/study/recorded.h"
@@ -86,7 +87,7 @@ Axis factor_axis(const Factor& factor, const std::vector<double>& values) {
   axis.logarithmic =
       (factor.logarithmic || factor.distribution.kind == Distribution::Kind::log_uniform) && axis.from > 0.0;
   if (!factor.is_numeric()) {
-    for (std::size_t k = 0; k < factor.levels.size(); ++k)
+    for (const auto k : indices(factor.levels))
       axis.ticks.push_back({static_cast<double>(k + 1), shortened(printable(factor.levels[k].text), 16)});
     return axis;
   }
@@ -106,18 +107,26 @@ Axis response_axis(const std::string& path) {
 
 std::vector<double> positions(const Factor& factor) {
   std::vector<double> values;
-  for (std::size_t k = 0; k < factor.levels.size(); ++k)
+  for (const auto k : indices(factor.levels))
     values.push_back(factor.is_numeric() ? *factor.levels[k].number : static_cast<double>(k + 1));
   return values;
 }
 
 std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   std::vector<std::size_t> some(std::min(count, most));
-  for (std::size_t k = 0; k < some.size(); ++k) some[k] = some.size() == 1 ? 0 : k * (count - 1) / (some.size() - 1);
+  for (const auto k : indices(some)) some[k] = some.size() == 1 ? 0 : k * (count - 1) / (some.size() - 1);
   return some;
 }
 
 std::size_t columns_for(std::size_t panels) { return panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3; }
+
+Figure ranked(Figure figure, Panel panel, const std::vector<std::string>& names, double height) {
+  panel.references.push_back({figure.add(kZeroStyle), 0.0, true});
+  figure.y = ranked_axis(names);
+  figure.aspect = 0.08 + height * static_cast<double>(names.size());
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
 
 Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values,
                    const std::array<const char*, 2>& titles) {
@@ -127,7 +136,7 @@ Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const s
   Range range{0.0, 0.0};
   for (const double value : values) range.include(value);
   const double gap = 0.01 * (range.to - range.from);
-  for (std::size_t k = 0; k < values.size(); ++k) {
+  for (const auto k : indices(values)) {
     const double value = values[k], at = rank_position(k, values.size());
     (value < 0.0 ? falls : grows)
         .parts.push_back(rectangle(std::min(value, 0.0), std::max(value, 0.0), at - 0.35, at + 0.35));
@@ -136,14 +145,10 @@ Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const s
                             value < 0.0 ? Label::Anchor::right : Label::Anchor::left});
   }
   panel.series = {std::move(grows), std::move(falls)};
-  panel.references.push_back({figure.add(kZeroStyle), 0.0, true});
   const double room = 0.14 * std::max(range.to - range.from, 1e-12);
   figure.x.from = range.from - (range.from < 0.0 ? room : 0.0);
   figure.x.to = range.to + (range.to > 0.0 ? room : 0.0);
-  figure.y = ranked_axis(names);
-  figure.aspect = 0.08 + 0.045 * static_cast<double>(values.size());
-  figure.panels.push_back(std::move(panel));
-  return figure;
+  return ranked(std::move(figure), std::move(panel), names, 0.045);
 }
 
 namespace {
@@ -201,7 +206,7 @@ void widen(Axis& axis, double least) {
 std::optional<double> number_at(const StudyResult& result, const StudyRow& row, const std::string& path) {
   const auto found = std::ranges::find(result.study.responses, path);
   if (found == result.study.responses.end() || !row.status.converged()) return std::nullopt;
-  return row.responses[static_cast<std::size_t>(found - result.study.responses.begin())];
+  return item_at(row.responses, found - result.study.responses.begin());
 }
 
 std::string share_path(const PowerSource& source) { return fmt::format("slip.share_percent.{}", source.key); }
@@ -267,7 +272,7 @@ Figure panels_of_factors(const StudyResult& result, std::size_t response) {
   const std::size_t panels = std::min(factors, kMostStudyPanels);
   if (panels < factors) figure.title += fmt::format(", first {} of {} factors", panels, factors);
   figure.columns = columns_for(panels);
-  for (std::size_t k = 0; k < panels; ++k) figure.panels.push_back(factor_panel(result, k, response));
+  for (const auto k : up_to(panels)) figure.panels.push_back(factor_panel(result, k, response));
   fit_y_range(figure);
   return figure;
 }
@@ -283,7 +288,7 @@ std::optional<Figure> changes_of_factors(const StudyResult& result, std::size_t 
   Panel panel;
   panel.references = {{0, 0.0}, {0, 0.0, true}};
   figure.add(kZeroStyle);
-  for (std::size_t k = 0; k < result.study.factors.size(); ++k) {
+  for (const auto k : indices(result.study.factors)) {
     const Sweep sweep = sweep_of(result, k);
     const auto& own = sweep.factor->base ? sweep.factor->base->number : std::nullopt;
     if (!own || *own == 0.0 || !sweep.factor->is_numeric() || figure.legend.size() == 12) continue;
@@ -333,7 +338,7 @@ Layout layout_of(const Study& study) {
 /// The response of a combination: the last factor changes fastest.
 std::optional<double> value_at(const StudyResult& result, const Combination& combination, std::size_t response) {
   std::size_t index = 0;
-  for (std::size_t k = 0; k < combination.size(); ++k) index = index * levels(result.study, k) + combination[k];
+  for (const auto k : indices(combination)) index = index * levels(result.study, k) + combination[k];
   return index + 1 < result.rows.size() ? result.rows[index + 1].responses[response] : std::nullopt;
 }
 
@@ -362,7 +367,7 @@ Figure line_figure(const StudyResult& result, std::size_t response) {
   Figure figure = response_figure(study.responses, response);
   figure.x = factor_axis(study.factors[layout.x], positions(study.factors[layout.x]));
   const std::vector<std::size_t> lines = spread(levels(study, layout.line), kMostLines);
-  for (std::size_t k = 0; k < lines.size(); ++k) {
+  for (const auto k : indices(lines)) {
     Style style = marked_line(k);
     if (!study.factors[layout.x].is_numeric()) style.dash = Dash::none;
     figure.add(setting_text(study, layout.line, lines[k]), style);
@@ -384,7 +389,7 @@ Figure line_figure(const StudyResult& result, std::size_t response) {
       panel.title +=
           fmt::format("{}{}", panel.title.empty() ? "" : ", ", setting_text(study, factor, combination[factor]));
     panel.title = shortened(panel.title, kMaxPanelTitle);
-    for (std::size_t k = 0; k < lines.size(); ++k) {
+    for (const auto k : indices(lines)) {
       combination[layout.line] = lines[k];
       panel.series.push_back(series_over(result, response, layout.x, combination, k));
     }
@@ -396,9 +401,7 @@ Figure line_figure(const StudyResult& result, std::size_t response) {
 
 /// Whether the study records what a figure of power by source shows.
 bool has_power(const StudyResult& result) {
-  const auto is_recorded = [&](const std::string& path) {
-    return std::ranges::find(result.study.responses, path) != result.study.responses.end();
-  };
+  const auto is_recorded = [&](const std::string& path) { return contains(result.study.responses, path); };
   return is_recorded("slip.power_loss_W") && is_recorded("slip.efficiency") &&
          std::ranges::all_of(kPowerSources, [&](const PowerSource& source) { return is_recorded(share_path(source)); });
 }
@@ -418,7 +421,7 @@ Figures one_at_a_time_lines(const StudyResult& result, const FigureOptions& opti
 Figures study_power(const StudyResult& result, const FigureOptions&) {
   Figures figures;
   if (!varies_one_at_a_time(result.study) || !has_power(result)) return figures;
-  for (std::size_t k = 0; k < std::min(result.study.factors.size(), kMostStudyFigures); ++k)
+  for (const auto k : up_to(std::min(result.study.factors.size(), kMostStudyFigures)))
     if (std::optional<Figure> figure = power_figure(result, k)) figures.push_back(std::move(*figure));
   return figures;
 }

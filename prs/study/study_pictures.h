@@ -63,6 +63,9 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most);
 /// Number of panels side by side.
 std::size_t columns_for(std::size_t panels);
 
+/// The figure with the panel, whose rows have these names, from above to below; `height`: share of a row in the aspect.
+Figure ranked(Figure figure, Panel panel, const std::vector<std::string>& names, double height);
+
 /// Signed bars from above to below, the longest first, with their numbers; titles of those above and below zero.
 Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values,
                    const std::array<const char*, 2>& titles = {"grows with the factor", "falls"});

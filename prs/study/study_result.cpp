@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -53,7 +55,7 @@ class KeptRows {
     const std::uint64_t hash = mixed_bits(design + kGoldenStep);
     if (hash > largest_) return;
     hashes_.push_back(hash);
-    values_.insert(values_.end(), row.begin(), row.end());
+    append(values_, row);
     if (hashes_.size() == 2 * kMostValuesKept) leave_out_others();
   }
 
@@ -75,7 +77,7 @@ class KeptRows {
     std::nth_element(hashes.begin(), last, hashes.end());
     largest_ = *last;
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < hashes_.size(); ++k) {
+    for (const auto k : indices(hashes_)) {
       if (hashes_[k] > largest_) continue;
       hashes_[kept] = hashes_[k];
       if (kept != k) std::copy_n(&values_[k * responses_], responses_, &values_[kept * responses_]);
@@ -125,7 +127,7 @@ bool any_finite(std::span<const double> values) { return std::ranges::any_of(val
 
 std::vector<std::optional<double>> numbers(const RowBlock& block, std::size_t row, std::size_t responses) {
   std::vector<std::optional<double>> numbers(responses);
-  for (std::size_t j = 0; j < responses; ++j) {
+  for (const auto j : up_to(responses)) {
     const double value = block.responses[row * responses + j];
     if (!std::isnan(value)) numbers[j] = value;
   }
@@ -167,26 +169,26 @@ struct StudyAnalysis::Parts {
     if (!indices.empty() && !add_to_sample(row, design)) return;
     if (!drawn.empty()) {
       const std::size_t k = (design - 1) % drawn.size();
-      for (std::size_t j = 0; j < row.size(); ++j)
+      for (const auto j : prs::indices(row))
         if (std::isfinite(row[j])) drawn[k][j].push_back(row[j]);
       if (k > 0) return;
     }
     if (!any_finite(row)) return;
-    for (std::size_t j = 0; j < row.size(); ++j)
+    for (const auto j : prs::indices(row))
       if (std::isfinite(row[j])) moments[j].add(row[j], design);
     kept.add(row, design);
     if (!factors.empty() && all_finite(row)) add_to_surface(row, inputs);
   }
 
   void add_to_surface(std::span<const double> row, std::span<const double> inputs) {
-    for (std::size_t i = 0; i < factors.size(); ++i) x[i] = factors[i](inputs[input_of_factor[factors[i].factor]]);
+    for (const auto i : prs::indices(factors)) x[i] = factors[i](inputs[input_of_factor[factors[i].factor]]);
     if (all_finite(x)) regression.add(x, row);
   }
 
   /// Whether the design is one of the two that are drawn independently of each other.
   bool add_to_sample(std::span<const double> row, std::size_t design) {
     const std::size_t designs = sample.front().size(), k = (design - 1) % designs;
-    for (std::size_t j = 0; j < row.size(); ++j) {
+    for (const auto j : prs::indices(row)) {
       sample[j][k] = row[j];
       if (k + 1 == designs) indices[j].add(sample[j]);
     }
@@ -235,7 +237,7 @@ void StudyAnalysis::add(const RowBlock& block, std::span<const double> inputs) {
   if (inputs.empty()) inputs = drawn = factor_values(parts_->study, columns, block.first, block.rows);
   assert(inputs.size() == block.rows * width);
   const std::vector<double> none(responses, kNoResponse);
-  for (std::size_t k = 0; k < block.rows; ++k)
+  for (const auto k : up_to(block.rows))
     parts_->add(block.status(k).converged() ? std::span(block.responses).subspan(k * responses, responses) : none,
                 block.first + k, inputs.subspan(k * width, width));
   if (parts_->maps) parts_->maps->add(block);
@@ -244,7 +246,7 @@ void StudyAnalysis::add(const RowBlock& block, std::span<const double> inputs) {
 
 StudySummary StudyAnalysis::summary() const {
   StudySummary summary;
-  for (std::size_t j = 0; j < parts_->moments.size(); ++j) {
+  for (const auto j : indices(parts_->moments)) {
     ResponseStatistics s = parts_->moments[j].statistics();
     std::vector<double> values = parts_->kept.numbers(j);
     s.values_kept = values.size();
@@ -262,7 +264,7 @@ StudySummary StudyAnalysis::summary() const {
     for (FactorIndices& f : summary.indices.back().factors) f.factor = blocks_of(parts_->study)[f.factor];
   }
   if (!parts_->drawn.empty())
-    for (std::size_t j = 0; j < parts_->moments.size(); ++j) summary.tolerances.push_back(parts_->gains(j));
+    for (const auto j : indices(parts_->moments)) summary.tolerances.push_back(parts_->gains(j));
   summary.idle_factors = parts_->followed.idle();
   if (parts_->maps && parts_->maps->maps()) {
     summary.maps = parts_->maps->maps();
@@ -273,7 +275,7 @@ StudySummary StudyAnalysis::summary() const {
 
 void add(StudyResult& result, const RowBlock& block) {
   if (result.rows.empty()) result.rows.reserve(std::min(kMostRowsShown, design_count(result.study)));
-  for (std::size_t k = 0; k < block.rows; ++k) {
+  for (const auto k : up_to(block.rows)) {
     const DesignStatus status = block.status(k);
     if (!status.converged()) ++(status.name == "refused" ? result.refused : result.failed);
     if (result.rows.size() >= kMostRowsShown) continue;
@@ -288,9 +290,9 @@ namespace {
 /// Nodes of designs 1, 2, ..: the last factor changes fastest.
 std::vector<std::size_t> nodes_of(const GridMaps& maps) {
   std::array<std::vector<std::size_t>, 2> node_of_level;
-  for (std::size_t a = 0; a < 2; ++a) {
+  for (const auto a : up_to(2)) {
     node_of_level[a].resize(maps.axes[a].nodes());
-    for (std::size_t k = 0; k < maps.axes[a].nodes(); ++k) node_of_level[a][maps.axes[a].levels[k]] = k;
+    for (const auto k : up_to(maps.axes[a].nodes())) node_of_level[a][maps.axes[a].levels[k]] = k;
   }
   std::vector<std::size_t> nodes;
   nodes.reserve(maps.nodes());
@@ -346,7 +348,7 @@ double normalisation(Envelope::Normalise normalise, const MeanSquare& mean) {
 double combined(Envelope::Combine combine, std::span<const MeasureMap> measures, std::span<const double> normalised) {
   const bool product = combine == Envelope::Combine::product;
   double value = product ? 1.0 : 0.0;
-  for (std::size_t k = 0; k < measures.size(); ++k)
+  for (const auto k : indices(measures))
     if (product)
       value *= std::pow(normalised[k], measures[k].weight);
     else
@@ -398,13 +400,13 @@ class Evaluator {
       result_.measures.push_back(
           {response, measure.weight, mean.rms, normalisation(envelope().normalise, mean), maps.nodes() - mean.count});
     }
-    for (std::size_t i = 0; i < maps.axes[0].nodes(); ++i)
-      for (std::size_t j = 0; j < maps.axes[1].nodes(); ++j)
+    for (const auto i : up_to(maps.axes[0].nodes()))
+      for (const auto j : up_to(maps.axes[1].nodes()))
         result_.values.push_back(value({static_cast<double>(i), static_cast<double>(j)}));
     const MeanSquare mean = mean_square(result_.values);
     result_.rms = mean.rms;
     result_.without = maps.nodes() - mean.count;
-    for (std::size_t k = 0; k < result_.values.size(); ++k)
+    for (const auto k : indices(result_.values))
       if (!std::isnan(result_.values[k]) && (!result_.best || result_.values[k] > result_.values[*result_.best]))
         result_.best = k;
   }
@@ -448,7 +450,7 @@ class Evaluator {
     for (const double v : map)
       if (std::abs(v - wanted) < least) least = std::abs(v - wanted);
     std::vector<MapPlace> places;
-    for (std::size_t k = 0; k < map.size(); ++k)
+    for (const auto k : indices(map))
       if (std::abs(map[k] - wanted) <= least) places.push_back(place_of(k));
     return places;
   }
@@ -456,12 +458,12 @@ class Evaluator {
   /// Places at which the lines of the grid meet a value of a response.
   std::vector<MapPlace> crossings(const GridMap& map, double wanted) const {
     std::vector<MapPlace> places;
-    for (std::size_t k = 0; k < map.size(); ++k)
+    for (const auto k : indices(map))
       if (map[k] == wanted) places.push_back(place_of(k));
-    for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (const auto axis : up_to(2)) {
       if (!maps_.axes[axis].continuous) continue;
       const std::size_t ahead = axis == 0 ? maps_.axes[1].nodes() : 1;
-      for (std::size_t k = 0; k < map.size(); ++k) {
+      for (const auto k : indices(map)) {
         MapPlace place = place_of(k);
         if (place[axis] + 1.0 >= static_cast<double>(maps_.axes[axis].nodes())) continue;
         const double from = map[k] - wanted, to = map[k + ahead] - wanted;
@@ -522,7 +524,7 @@ class Evaluator {
   std::optional<MapPlace> place_of(const Envelope::Point& point, std::string& why) const {
     if (point.at) {
       MapPlace place;
-      for (std::size_t a = 0; a < 2; ++a) {
+      for (const auto a : up_to(2)) {
         const std::optional<double> at = maps_.axes[a].place((*point.at)[a]);
         if (!at) return why = "it lies outside of the grid", std::nullopt;
         place[a] = *at;
@@ -602,10 +604,10 @@ GridMapCollector::GridMapCollector(const Study& study) {
 void GridMapCollector::add(const RowBlock& block) {
   if (!maps_) return;
   const std::size_t width = maps_->responses.size();
-  for (std::size_t row = 0; row < block.rows; ++row) {
+  for (const auto row : up_to(block.rows)) {
     const std::size_t design = block.first + row;
     if (design == 0) continue;
-    for (std::size_t k = 0; k < width; ++k) maps_->responses[k][nodes_[design - 1]] = block.responses[row * width + k];
+    for (const auto k : up_to(width)) maps_->responses[k][nodes_[design - 1]] = block.responses[row * width + k];
   }
 }
 

@@ -7,6 +7,8 @@
 #include <mutex>
 #include <thread>
 
+#include "prs/indices.h"
+
 namespace prs {
 namespace {
 
@@ -120,9 +122,8 @@ void run_pipeline(std::size_t threads, bool in_order, const Give& give, const Pr
 
 StoredRows::StoredRows(std::vector<Journal> journals) : journals_(std::move(journals)) {
   std::vector<Piece> records;
-  for (std::size_t j = 0; j < journals_.size(); ++j)
-    for (std::size_t r = 0; r < journals_[j].records().size(); ++r)
-      records.push_back({j, r, journals_[j].records()[r].designs});
+  for (const auto j : indices(journals_))
+    for (const auto r : indices(journals_[j].records())) records.push_back({j, r, journals_[j].records()[r].designs});
   std::ranges::sort(records, {}, [](const Piece& piece) { return piece.designs.first; });
   std::size_t next = 0;
   for (Piece& piece : records) {

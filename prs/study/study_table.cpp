@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/study/study_files.h"
 
 #include <tuple>
@@ -86,7 +87,7 @@ std::optional<double> shown_value(const StudyRow& row, const Recorded& response)
 std::string row_line(const Columns& columns, const std::string& value, const StudyRow& row) {
   std::string line = fitted(value, columns.value_width, true);
   if (!row.status.converged()) return fmt::format("{}{}{}\n", line, kGap, row.status.name);
-  for (std::size_t c = 0; c < columns.widths.size(); ++c)
+  for (const auto c : indices(columns.widths))
     line.append(kGap).append(
         padded(number(shown_value(row, columns.responses[c]), columns.factors[c]), columns.widths[c], false));
   return line + '\n';
@@ -94,7 +95,7 @@ std::string row_line(const Columns& columns, const std::string& value, const Stu
 
 std::string header_lines(const Columns& columns) {
   std::string upper(columns.value_width, ' '), lower = upper;
-  for (std::size_t c = 0; c < columns.widths.size(); ++c) {
+  for (const auto c : indices(columns.widths)) {
     upper.append(kGap).append(padded(columns.headings[c].upper, columns.widths[c], false));
     lower.append(kGap).append(padded(columns.headings[c].lower, columns.widths[c], false));
   }
@@ -133,7 +134,7 @@ std::string factor_table(const StudyResult& result, std::size_t index, const Col
     title += fmt::format(", {}{}", &companion == &factor.companions[0] ? "with " : "", printable(companion.label));
   std::string text = shortened(title, kTableWidth) + '\n';
   const std::size_t step = (rows.size() + kMostRows - 1) / kMostRows;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
+  for (const auto k : indices(rows)) {
     const auto& [level, row, base] = rows[k];
     if (k % step != 0 && k + 1 != rows.size() && !base) continue;
     const std::string value = level_text(*level, factor.unit);
@@ -187,8 +188,7 @@ std::string factor_tables(const StudyResult& result) {
   const Columns columns = columns_of(result);
   std::string text = header_lines(columns);
   text += row_line(columns, std::string(kBaseMark), result.base());
-  for (std::size_t k = 0; k < result.study.factors.size(); ++k)
-    text.append("\n").append(factor_table(result, k, columns));
+  for (const auto k : indices(result.study.factors)) text.append("\n").append(factor_table(result, k, columns));
   text += "\n* as in the file";
   const std::size_t all = recorded(result.study.responses).size();
   if (columns.headings.size() < all)
@@ -270,7 +270,7 @@ std::string rankings(const StudyResult& result) {
   if (summary.surfaces && !summary.surfaces->reason.empty())
     text += fmt::format("\nno response surface: {}\n", printable(summary.surfaces->reason));
   const std::size_t shown = std::min(study.responses.size(), kMostRankings);
-  for (std::size_t k = 0; k < shown; ++k) {
+  for (const auto k : up_to(shown)) {
     if (!summary.tolerances.empty() && !summary.tolerances[k].empty())
       text += gains(study, k, summary.tolerances[k]);
     else if (!summary.indices.empty() && !summary.indices[k].factors.empty())
@@ -285,7 +285,7 @@ std::string rankings(const StudyResult& result) {
 
 std::string statistics(const StudyResult& result) {
   std::string text = "\n" + kStatistics("", {"in file", "mean", "std dev", "min", "5 %", "95 %", "max"});
-  for (std::size_t k = 0; k < result.summary.statistics.size(); ++k) {
+  for (const auto k : indices(result.summary.statistics)) {
     const ResponseStatistics& s = result.summary.statistics[k];
     const TableResponse response = table_response(result.study.responses[k]);
     std::vector<std::optional<double>> values{result.base().responses[k]};
@@ -308,7 +308,7 @@ std::string statistics(const StudyResult& result) {
 /// Designs of a grid with the smallest and the largest response.
 std::string extremes(const StudyResult& result) {
   std::string text;
-  for (std::size_t k = 0; k < std::min(result.study.responses.size(), kMostRankings); ++k) {
+  for (const auto k : up_to(std::min(result.study.responses.size(), kMostRankings))) {
     const ResponseStatistics& s = result.summary.statistics[k];
     if (s.count == 0 || s.min == s.max) continue;
     const TableResponse response = table_response(result.study.responses[k]);
@@ -360,20 +360,20 @@ std::string envelope_points(const StudyResult& result) {
   const std::size_t shown = std::min(found.size(), (kTableWidth - kMaxName) / (kEnvelope.cell_width + kEnvelope.gap));
   const auto row = [&](const std::string& label, auto cell) {
     std::vector<std::string> cells;
-    for (std::size_t k = 0; k < shown; ++k) cells.push_back(cell(*found[k]));
+    for (const auto k : up_to(shown)) cells.push_back(cell(*found[k]));
     return envelope_row(label, cells);
   };
   std::string text = "\n" + row("point", [](const EnvelopePoint& p) { return printable(p.name); });
   text += row("design", [](const EnvelopePoint& p) { return p.design ? fmt::format("{}", *p.design) : "between"; });
   const std::vector<DrawnInput> inputs = drawn_inputs(study);
-  for (std::size_t k = 0; k < inputs.size(); ++k)
+  for (const auto k : indices(inputs))
     text += row(factor_title(*inputs[k].input), [&](const EnvelopePoint& p) {
       const Level& level = p.inputs[k];
       const std::string& unit = inputs[k].input->unit;
       if (!level.number || level.text.starts_with('{')) return printable(level.text);
       return fmt::format("{:.5g}{}{}", *level.number, unit.empty() ? "" : " ", printable(unit));
     });
-  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+  for (const auto k : indices(study.responses)) {
     const TableResponse response = table_response(study.responses[k]);
     text += row(response.text(), [&](const EnvelopePoint& p) { return number(p.responses[k], response.factor); });
   }

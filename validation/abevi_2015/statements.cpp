@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "validation/extensions.h"
 
 #include <fmt/ranges.h>
@@ -64,14 +65,14 @@ std::size_t most_loaded(const Rates& r) {
 
 double largest_difference(const Rates& a, const Rates& b) {
   double d = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) d = std::max(d, std::abs(a[i] - b[i]));
+  for (const auto i : indices(a)) d = std::max(d, std::abs(a[i] - b[i]));
   return d;
 }
 
 /// Calls `visit(configuration, direction)` for all six cases.
 template <class Visit>
 void for_each_case(Visit visit) {
-  for (std::size_t config = 0; config < kPositions.size(); ++config)
+  for (const auto config : indices(kPositions))
     for (const Direction direction : kDirections) visit(config, direction);
 }
 
@@ -115,7 +116,7 @@ Finding stiffness_depends_on_case(const Results& r) {
 Finding compression_is_worst_for_the_screw(const Results& r) {
   bool worst = true;
   std::vector<std::string> evidence;
-  for (std::size_t c = 0; c < kPositions.size(); ++c) {
+  for (const auto c : indices(kPositions)) {
     const double compression = largest(r.rates(Interface::screw, c, kCompression));
     const double tension = largest(r.rates(Interface::screw, c, kTension));
     worst = worst && compression > tension;
@@ -133,7 +134,7 @@ Finding flexibility_makes_compression_worst(const Results& r) {
   };
   const auto flexible = excess(kFlexible), rigid = excess(kRigid);
   bool mainly = true;
-  for (std::size_t c = 0; c < 3; ++c) mainly = mainly && std::abs(rigid[c]) < 0.5 * flexible[c];
+  for (const auto c : up_to(3)) mainly = mainly && std::abs(rigid[c]) < 0.5 * flexible[c];
   return {mainly, "compression less tension, flexible " + listed(flexible, 100, "points") + ", rigid " +
                       listed(rigid, 100, "points")};
 }
@@ -178,7 +179,7 @@ Finding rates_sum_to_one(const Results& r) {
   double error = 0.0;
   for_each_case([&](std::size_t c, Direction d) {
     for (const Interface i : kInterfaces)
-      for (std::size_t load = 0; load < kLoads.size(); ++load) {
+      for (const auto load : indices(kLoads)) {
         double sum = 0.0;
         for (const double rate : r.rates(i, c, d, kFlexible, load)) sum += rate;
         error = std::max(error, std::abs(sum - 1.0));
@@ -216,7 +217,7 @@ Finding first_screw_thread_is_most_loaded(const Results& r) {
   bool first = true;
   for_each_case([&](std::size_t c, Direction d) {
     for (const auto roller : kRollers)
-      for (std::size_t load = 0; load < kLoads.size(); ++load)
+      for (const auto load : indices(kLoads))
         first = first && most_loaded(r.rates(Interface::screw, c, d, roller, load)) == 0;
   });
   return {first, "all configurations, directions, rollers and loads"};
@@ -226,7 +227,7 @@ Finding first_screw_thread_grows_alike(const Results& r) {
   bool grows = true;
   double difference = 0.0;
   for (const Direction d : kDirections)
-    for (std::size_t load = 0; load < kLoads.size(); ++load) {
+    for (const auto load : indices(kLoads)) {
       const auto first =
           by_configuration([&](std::size_t c) { return r.rates(Interface::screw, c, d, kFlexible, load).front(); });
       const auto [low, high] = std::minmax_element(first.begin(), first.end());
@@ -271,7 +272,7 @@ Finding tension_is_more_sensitive_to_bending(const Results& r) {
   const auto tension = by_configuration([&](std::size_t c) { return sensitivity_to_bending(r, c, kTension); });
   const auto compression = by_configuration([&](std::size_t c) { return sensitivity_to_bending(r, c, kCompression); });
   bool more = true;
-  for (std::size_t c = 0; c < 3; ++c) more = more && tension[c] > compression[c];
+  for (const auto c : up_to(3)) more = more && tension[c] > compression[c];
   return {more, "largest change of a share by bending, tension " + listed(tension, 100, "points") + ", compression " +
                     listed(compression, 100, "points")};
 }
@@ -299,7 +300,7 @@ Finding first_screw_thread_falls_by_40_percent_in_compression(const Results& r) 
 
 Finding first_nut_thread_is_most_loaded_in_tension(const Results& r) {
   bool first = true;
-  for (std::size_t c = 0; c < 3; ++c)
+  for (const auto c : up_to(3))
     for (const auto roller : kRollers) first = first && most_loaded(r.rates(Interface::nut, c, kTension, roller)) == 0;
   const auto thread = [&](ModelOptions::Roller roller) {
     return fmt::format("{}, {}, {}", 1 + most_loaded(r.rates(Interface::nut, 0, kTension, roller)),
@@ -316,8 +317,7 @@ Finding bending_raises_first_nut_thread_by_half(const Results& r) {
 Finding most_loaded_nut_thread_moves_in_compression(const Results& r) {
   std::vector<std::size_t> threads;
   for (const auto roller : kRollers)
-    for (std::size_t c = 0; c < 3; ++c)
-      threads.push_back(1 + most_loaded(r.rates(Interface::nut, c, kCompression, roller)));
+    for (const auto c : up_to(3)) threads.push_back(1 + most_loaded(r.rates(Interface::nut, c, kCompression, roller)));
   const auto differ = [&](std::size_t a, std::size_t b) { return threads[a] != threads[b]; };
   const bool by_configuration_ = differ(0, 1) || differ(1, 2) || differ(0, 2);
   const bool by_bending = differ(0, 3) || differ(1, 4) || differ(2, 5);
@@ -329,7 +329,7 @@ Finding most_loaded_nut_thread_moves_in_compression(const Results& r) {
 /// Largest change of a thread's share at an interface between tension and compression.
 double change_by_direction(const Results& r, Interface i) {
   double change = 0.0;
-  for (std::size_t c = 0; c < kPositions.size(); ++c)
+  for (const auto c : indices(kPositions))
     change = std::max(change, largest_difference(r.rates(i, c, kTension), r.rates(i, c, kCompression)));
   return change;
 }

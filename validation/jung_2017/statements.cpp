@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "prs/indices.h"
 #include "prs/measures/stiffness.h"
 #include "prs/slip/slip.h"
 #include "validation/jung_2017/tables.h"
@@ -146,7 +147,7 @@ const std::map<std::string, bool (*)(const Numbers&)> kShapes{
     // Steps must be equal within 2 % of the range.
     {"grows_straight",
      [](const Numbers& x) {
-       for (std::size_t k = 0; k < x.size(); ++k) {
+       for (const auto k : indices(x)) {
          const double part = static_cast<double>(k) / static_cast<double>(x.size() - 1);
          if (std::abs((x[k] - x.front()) / (x.back() - x.front()) - part) > 0.02) return false;
        }

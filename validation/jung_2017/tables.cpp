@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "contact/hertz_formulas.h"
+#include "prs/indices.h"
 #include "prs/input/described_file.h"
 #include "prs/life/rating_life.h"
 #include "validation/extensions.h"
@@ -27,7 +28,7 @@ double square(double x) { return x * x; }
 std::array<Diameters, 10> table(double (*roller)(int row, double screw)) {
   std::array<Diameters, 10> rows;
   for (int row = 0; row < 10; ++row) {
-    Diameters& d = rows[static_cast<std::size_t>(row)];
+    Diameters& d = item_at(rows, row);
     d.nut_outer = (54.0 + 3.0 * row) / "mm"_per_si;
     d.screw = 0.5 * d.nut_outer;
     d.roller = roller(row, d.screw);
@@ -201,7 +202,7 @@ std::array<ScaleLine, 10> scale_chart() {
   std::array<ScaleLine, 10> lines;
   double sum_of_squares = 0.0;
   for (int k = 0; k < 10; ++k) {
-    ScaleLine& line = lines[static_cast<std::size_t>(k)];
+    ScaleLine& line = item_at(lines, k);
     line.rollers = 6 + k;
     line.roller = (7.8 + 1.3 * k) / "mm"_per_si;
     line.screw = (18.0 + 3.0 * k) / "mm"_per_si;
@@ -248,13 +249,13 @@ std::vector<VolumeFit> volume_fits(const Reference& thesis) {
       {"weight, kg", [](const Measures& m) { return m.weight; }}};
   const CsvTable table(thesis.folder / "fits.csv");
   std::vector<VolumeFit> fits;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
+  for (const auto row : up_to(table.rows())) {
     VolumeFit& fit = fits.emplace_back();
     fit.equation = table.text(row, 0);
     fit.measure = table.text(row, 1);
     fit.of_case_2 = table.number(row, 2) == 2.0;
     fit.value = values.at(fit.measure);
-    for (std::size_t k = 0; k < fit.coefficients.size(); ++k) fit.coefficients[k] = table.number(row, 3 + k);
+    for (const auto k : indices(fit.coefficients)) fit.coefficients[k] = table.number(row, 3 + k);
   }
   return fits;
 }
@@ -294,7 +295,7 @@ std::vector<ValidationTable> fit_tables(const Reference& thesis) {
     deviations.rows.push_back(deviation(fit));
     const std::array<double, 6> again = refitted(fit);
     ValidationTable::Row row{fit.equation, {}};
-    for (std::size_t k = 0; k < again.size(); ++k) row.values.push_back(1e6 * (fit.coefficients[k] / again[k] - 1.0));
+    for (const auto k : indices(again)) row.values.push_back(1e6 * (fit.coefficients[k] / again[k] - 1.0));
     coefficients.rows.push_back(std::move(row));
   }
   return {deviations, coefficients};
@@ -399,7 +400,7 @@ struct Problem {
 std::string in_mm(double length) { return fmt::format("{:.10g} mm", length * "mm"_per_si); }
 
 std::optional<Problem> problem_of(const Diameters& d) {
-  for (std::size_t k = 0; k < kGivenCount; ++k) {
+  for (const auto k : up_to(kGivenCount)) {
     const double value = d.*kGiven[k].diameter;
     if (!(value >= kSmallest && value <= kLargest))
       return Problem{k, fmt::format("got {}; expected 0.1 mm to 10 m; check its unit", in_mm(value))};
@@ -441,7 +442,7 @@ Diameters read_text(const std::string& text) {
                     "separated by commas; write for example --diameters \"{}\"",
                     fields.size(), kExample));
   Diameters d;
-  for (std::size_t k = 0; k < kGivenCount; ++k) {
+  for (const auto k : up_to(kGivenCount)) {
     const input::ParsedQuantity length = input::parse_quantity(fields[k], input::unit::length);
     if (!length.value)
       fail(fmt::format("{}: got {}; expected a length; {}", kGiven[k].key, input::shown(fields[k]),
@@ -468,7 +469,7 @@ std::vector<Diameters> read_yaml(const std::string& file) {
   Rows rows;
   input::read_described(root, input::value_of(rows, input::Block{}), errors);
   errors.throw_if_any();
-  for (std::size_t row = 0; row < rows.diameters.size(); ++row)
+  for (const auto row : indices(rows.diameters))
     if (const std::optional<Problem> problem = problem_of(rows.diameters[row]))
       input::refuse(root, fmt::format("diameters[{}].{}", row, kGiven[problem->given].key), problem->message, errors);
   errors.throw_if_any();
@@ -478,11 +479,10 @@ std::vector<Diameters> read_yaml(const std::string& file) {
 std::vector<Diameters> read_csv(const std::string& file) {
   const CsvTable table{file};
   std::array<std::size_t, kGivenCount> columns{};
-  for (std::size_t k = 0; k < kGivenCount; ++k) columns[k] = table.column(fmt::format("{}_mm", kGiven[k].key));
+  for (const auto k : up_to(kGivenCount)) columns[k] = table.column(fmt::format("{}_mm", kGiven[k].key));
   std::vector<Diameters> rows(table.rows());
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (std::size_t k = 0; k < kGivenCount; ++k)
-      rows[row].*kGiven[k].diameter = table.number(row, columns[k]) / "mm"_per_si;
+  for (const auto row : indices(rows)) {
+    for (const auto k : up_to(kGivenCount)) rows[row].*kGiven[k].diameter = table.number(row, columns[k]) / "mm"_per_si;
     if (const std::optional<Problem> problem = problem_of(rows[row]))
       table.fail(row, columns[problem->given], problem->message);
   }
@@ -559,10 +559,10 @@ std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows
   }
   std::array<std::size_t, std::size(kColumns)> widths{};
   for (const auto& line : lines)
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+    for (const auto k : indices(line)) widths[k] = std::max(widths[k], line[k].size());
   std::string text = fmt::format("{}: {}\n", recipe.name, recipe.title);
   for (const auto& line : lines) {
-    for (std::size_t k = 0; k < line.size(); ++k) text += fmt::format("  {:>{}}", line[k], widths[k]);
+    for (const auto k : indices(line)) text += fmt::format("  {:>{}}", line[k], widths[k]);
     text += '\n';
   }
   return text;

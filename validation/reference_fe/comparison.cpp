@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "prs/indices.h"
 #include "prs/loads/analyze.h"
 #include "prs/reference/curve_deviations.h"
 #include "prs/validation/validate.h"
@@ -45,9 +46,9 @@ class Reader {
     if (rates_.screw.size() != rates_.nut.size()) table_.column(rate_name(fewer(), count() + 1));
   }
 
-  std::vector<Curve> curves() const {
-    std::vector<Curve> all;
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
+  Curves curves() const {
+    Curves all;
+    for (const auto row : up_to(table_.rows())) {
       const Setup setup = setup_at(row);
       const auto known = std::ranges::find(all, setup, &Curve::setup);
       Curve& curve = known == all.end() ? all.emplace_back(Curve{setup, {}}) : *known;
@@ -159,7 +160,7 @@ void add_load_cases(Case& c, const Curve& curve, const Case& screw) {
   }
 }
 
-void require_threads(const Case& screw, const std::vector<Curve>& reference) {
+void require_threads(const Case& screw, const Curves& reference) {
   const std::size_t threads = reference.front().points.front().load_rate.screw.size();
   if (threads != static_cast<std::size_t>(screw.mechanism.contacts_per_roller))
     throw CaseError("mechanism.contacts_per_roller",
@@ -167,9 +168,9 @@ void require_threads(const Case& screw, const std::vector<Curve>& reference) {
 }
 
 /// Indices of curves with the same roller, which one run can solve.
-std::vector<std::vector<std::size_t>> grouped(const std::vector<Curve>& curves) {
+std::vector<std::vector<std::size_t>> grouped(const Curves& curves) {
   std::vector<std::vector<std::size_t>> groups;
-  for (std::size_t k = 0; k < curves.size(); ++k) {
+  for (const auto k : indices(curves)) {
     const auto group = std::ranges::find_if(groups, [&](const auto& indices) {
       const Setup& first = curves[indices.front()].setup;
       return first.guidance == curves[k].setup.guidance && first.contacts == curves[k].setup.contacts;
@@ -191,7 +192,7 @@ LoadDiscrepancy load_discrepancy(const std::vector<double>& rates, const std::ve
   const CurveDeviations found = curve_deviations(rates, reference).value_or(CurveDeviations{});
   LoadDiscrepancy d{found.mean_magnitude, std::abs(found.largest), 0.0, -HUGE_VAL, HUGE_VAL};
   const double share = 1.0 / static_cast<double>(rates.size());
-  for (std::size_t k = 0; k < rates.size(); ++k) {
+  for (const auto k : indices(rates)) {
     const double relative = (rates[k] - reference[k]) / reference[k];
     d.relative_mean += share * relative;
     d.relative_highest = std::max(d.relative_highest, relative);
@@ -246,24 +247,23 @@ std::array<std::string, 4> words(const Setup& setup) {
 
 std::string name(const Setup& setup) { return fmt::format("{}", fmt::join(words(setup), " ")); }
 
-std::vector<Curve> read_curves(const std::filesystem::path& file) { return Reader(file).curves(); }
+Curves read_curves(const std::filesystem::path& file) { return Reader(file).curves(); }
 
-std::vector<Curve> computed_curves(const Case& screw, ModelOptions::Bodies bodies,
-                                   const std::vector<Curve>& reference) {
+Curves computed_curves(const Case& screw, ModelOptions::Bodies bodies, const Curves& reference) {
   require_threads(screw, reference);
-  std::vector<Curve> all(reference.size());
-  for (const std::vector<std::size_t>& indices : grouped(reference)) {
+  Curves all(reference.size());
+  for (const std::vector<std::size_t>& group : grouped(reference)) {
     Case c = screw;
     c.model.bodies = bodies;
-    c.model.roller_contacts = reference[indices.front()].setup.contacts;
-    c.structure->roller.guidance.kind = reference[indices.front()].setup.guidance;
+    c.model.roller_contacts = reference[group.front()].setup.contacts;
+    c.structure->roller.guidance.kind = reference[group.front()].setup.guidance;
     c.load_cases.clear();
-    for (const std::size_t k : indices) add_load_cases(c, reference[k], screw);
+    for (const std::size_t k : group) add_load_cases(c, reference[k], screw);
     const std::vector<LoadCaseResult> results = analyze(c).load_cases;
     auto result = results.begin();
-    for (const std::size_t k : indices) {
+    for (const std::size_t k : group) {
       all[k].setup = reference[k].setup;
-      for (std::size_t n = 0; n < reference[k].points.size(); ++n) all[k].points.push_back(point_of(*result++));
+      while (all[k].points.size() < reference[k].points.size()) all[k].points.push_back(point_of(*result++));
     }
   }
   return all;
@@ -280,10 +280,10 @@ const Extreme& Summary::farthest_stiffness() const {
   return std::abs(least_stiff.value) > std::abs(stiffest.value) ? least_stiff : stiffest;
 }
 
-Summary summary(const std::vector<Curve>& curves, const std::vector<Curve>& reference, const Selection& selection) {
+Summary summary(const Curves& curves, const Curves& reference, const Selection& selection) {
   Gathering gathering;
-  for (std::size_t k = 0; k < curves.size(); ++k)
-    for (std::size_t load = 0; load < curves[k].points.size(); ++load) {
+  for (const auto k : indices(curves))
+    for (const auto load : indices(curves[k].points)) {
       const CurvePoint& point = curves[k].points[load];
       if (selection(curves[k].setup, point.load))
         gathering.add(curves[k], point, discrepancy(point, reference[k].points[load]));

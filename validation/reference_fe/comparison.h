@@ -36,11 +36,12 @@ struct Curve {
   Setup setup;
   std::vector<CurvePoint> points;  ///< Points by ascending load.
 };
+using Curves = std::vector<Curve>;
 
 /// Reads `curves.csv`, written by curves.py. Every row must be consistent: ascending loads, load rates that sum to 100
 /// %, a stiffness that is load over displacement, all within the printed digits; every combination of setups must occur
 /// once. Throws input::InputError.
-std::vector<Curve> read_curves(const std::filesystem::path& file);
+Curves read_curves(const std::filesystem::path& file);
 
 inline double percent(double share) { return share * "%"_per_si; }
 
@@ -53,13 +54,14 @@ struct ErrorBar {
 /// The curves of one model, at the setups and loads of the reference.
 struct Model {
   std::string name;
-  std::vector<Curve> curves;
+  Curves curves;
 };
+using Models = std::vector<Model>;
 
 /// The curves of the screw by one model, at the setups and loads of the reference. CONFIG k is the position of the
 /// screw's load case `configK-DIRECTION`. A load without a result keeps its entry. Throws CaseError, also if the screw
 /// has other threads than the reference.
-std::vector<Curve> computed_curves(const Case& screw, ModelOptions::Bodies bodies, const std::vector<Curve>& reference);
+Curves computed_curves(const Case& screw, ModelOptions::Bodies bodies, const Curves& reference);
 
 /// Discrepancies of the load rates of an interface from the reference's.
 struct LoadDiscrepancy {
@@ -105,6 +107,6 @@ struct Summary {
 using Selection = std::function<bool(const Setup&, double load)>;
 
 /// Compares curves at the same setups and loads.
-Summary summary(const std::vector<Curve>& curves, const std::vector<Curve>& reference, const Selection& selection);
+Summary summary(const Curves& curves, const Curves& reference, const Selection& selection);
 
 }  // namespace prs::reference_fe

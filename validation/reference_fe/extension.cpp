@@ -2,6 +2,7 @@
 
 #include "modules/module.h"
 #include "prs/bodies/body_models.h"
+#include "prs/indices.h"
 #include "validation/extensions.h"
 
 namespace prs::reference_fe {
@@ -60,8 +61,7 @@ Finding bars_shift_the_loads(const Fidelities& f) {
 }
 
 /// Whether curves stay within limits of others, at all setups and loads.
-Finding stays_within(const ErrorBar& limits, const std::vector<Curve>& curves, const std::vector<Curve>& reference,
-                     int threads) {
+Finding stays_within(const ErrorBar& limits, const Curves& curves, const Curves& reference, int threads) {
   const Summary s = summary(curves, reference, [](const Setup&, double) { return true; });
   const bool holds = s.unsolved == 0 && std::abs(s.farthest_stiffness().value) <= limits.stiffness &&
                      s.worst_loads.value <= limits.load_rate;
@@ -114,18 +114,18 @@ constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
 bool all_loads(const Setup&, double) { return true; }
 
-std::string at_full_load(const std::vector<Curve>& reference) {
+std::string at_full_load(const Curves& reference) {
   return fmt::format("{:g} kN", reference.front().points.back().load * "kN"_per_si);
 }
 
 /// The unit of load rates and how to read it.
-std::string of_sector_load(const std::vector<Curve>& reference) {
+std::string of_sector_load(const Curves& reference) {
   const std::size_t threads = reference.front().points.back().load_rate.screw.size();
   return fmt::format("in % of the sector load, of which the mean thread of {} carries {:g} %", threads,
                      percent(1.0 / static_cast<double>(threads)));
 }
 
-ValidationTable stiffness_table(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+ValidationTable stiffness_table(const Models& models, const Curves& reference) {
   ValidationTable table{fmt::format("Axial stiffness at {} in N/um; the models less the reference, "
                                     "in %, there and as the mean over all {} loads",
                                     at_full_load(reference), reference.front().points.size()),
@@ -134,7 +134,7 @@ ValidationTable stiffness_table(const std::vector<Model>& models, const std::vec
                         2};
   for (const char* what : {"", ", mean"})
     for (const Model& model : models) table.columns.push_back(model.name + what);
-  for (std::size_t k = 0; k < reference.size(); ++k) {
+  for (const auto k : indices(reference)) {
     const CurvePoint& full = reference[k].points.back();
     ValidationTable::Row row{name(reference[k].setup), {full.stiffness() * "N/µm"_per_si}};
     for (const Model& model : models) {
@@ -148,7 +148,7 @@ ValidationTable stiffness_table(const std::vector<Model>& models, const std::vec
   return table;
 }
 
-ValidationTable load_table(const std::vector<Model>& models, const std::vector<Curve>& reference, Interface i) {
+ValidationTable load_table(const Models& models, const Curves& reference, Interface i) {
   ValidationTable table{fmt::format("Load rates at the {} at {}: mean and largest discrepancy over the threads, {}",
                                     prs::name(i), at_full_load(reference), of_sector_load(reference)),
                         {"CONFIG, direction, guidance, contacts"},
@@ -158,7 +158,7 @@ ValidationTable load_table(const std::vector<Model>& models, const std::vector<C
     table.columns.push_back(model.name);
     table.columns.push_back("largest");
   }
-  for (std::size_t k = 0; k < reference.size(); ++k) {
+  for (const auto k : indices(reference)) {
     ValidationTable::Row row{name(reference[k].setup), {}};
     for (const Model& model : models) {
       const auto d = discrepancy(model.curves[k].points.back(), reference[k].points.back());
@@ -177,7 +177,7 @@ ValidationTable::Row summary_row(std::string label, const Summary& s) {
        percent(s.largest_load.screw), percent(s.mean_load.nut), percent(s.largest_load.nut)}};
 }
 
-ValidationTable summary_table(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+ValidationTable summary_table(const Models& models, const Curves& reference) {
   ValidationTable table{fmt::format("All {} cases at all {} loads: stiffness less that of the reference, in %; load "
                                     "rates, mean and largest discrepancy, {}",
                                     reference.size(), reference.front().points.size(), of_sector_load(reference)),
@@ -189,14 +189,9 @@ ValidationTable summary_table(const std::vector<Model>& models, const std::vecto
   return table;
 }
 
-void setup_header(CsvWriter& csv) {
-  for (const char* key : {"config", "direction", "guidance", "contacts", "load_kN"}) csv.text(key);
-}
+void setup_header(CsvWriter& csv) { csv.fields("config", "direction", "guidance", "contacts", "load_kN"); }
 
-void setup_fields(CsvWriter& csv, const Setup& setup, double load) {
-  for (const std::string& word : words(setup)) csv.text(word);
-  csv.number(load, "kN"_per_si);
-}
+void setup_fields(CsvWriter& csv, const Setup& setup, double load) { csv.fields(words(setup), load * "kN"_per_si); }
 
 void load_discrepancy_fields(CsvWriter& csv, const std::optional<Discrepancy>& d, Interface i) {
   for (const auto value : {&LoadDiscrepancy::mean, &LoadDiscrepancy::largest, &LoadDiscrepancy::relative_mean,
@@ -204,19 +199,18 @@ void load_discrepancy_fields(CsvWriter& csv, const std::optional<Discrepancy>& d
     csv.number(d ? std::optional(d->loads[i].*value) : std::nullopt, "%"_per_si);
 }
 
-std::string comparison_csv(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+std::string comparison_csv(const Models& models, const Curves& reference) {
   CsvWriter csv(CsvStyle{});
   setup_header(csv);
-  for (const char* key :
-       {"model", "displacement_um", "reference_displacement_um", "stiffness_N_per_um", "stiffness_discrepancy_percent"})
-    csv.text(key);
+  csv.fields("model", "displacement_um", "reference_displacement_um", "stiffness_N_per_um",
+             "stiffness_discrepancy_percent");
   for (const Interface i : kInterfaces)
     for (const char* key : {"mean", "largest", "relative_mean", "relative_highest", "relative_lowest"})
       csv.text(fmt::format("{}_{}_discrepancy_percent", prs::name(i), key));
   csv.end_row();
   for (const Model& model : models)
-    for (std::size_t k = 0; k < reference.size(); ++k)
-      for (std::size_t n = 0; n < reference[k].points.size(); ++n) {
+    for (const auto k : indices(reference))
+      for (const auto n : indices(reference[k].points)) {
         const CurvePoint &point = model.curves[k].points[n], &target = reference[k].points[n];
         const std::optional<Discrepancy> d = discrepancy(point, target);
         setup_fields(csv, reference[k].setup, target.load);
@@ -235,21 +229,19 @@ std::optional<double> rate_of(const CurvePoint& point, Interface i, std::size_t 
   return point.is_solved() ? std::optional(point.load_rate[i][thread]) : std::nullopt;
 }
 
-std::string load_rates_csv(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+std::string load_rates_csv(const Models& models, const Curves& reference) {
   CsvWriter csv(CsvStyle{});
   setup_header(csv);
-  for (const char* key : {"interface", "thread", "reference_percent"}) csv.text(key);
+  csv.fields("interface", "thread", "reference_percent");
   for (const Model& model : models) csv.text(model.name + "_percent");
   csv.end_row();
-  for (std::size_t k = 0; k < reference.size(); ++k)
-    for (std::size_t n = 0; n < reference[k].points.size(); ++n) {
+  for (const auto k : indices(reference))
+    for (const auto n : indices(reference[k].points)) {
       const CurvePoint& target = reference[k].points[n];
       for (const Interface i : kInterfaces)
-        for (std::size_t thread = 0; thread < target.load_rate[i].size(); ++thread) {
+        for (const auto thread : indices(target.load_rate[i])) {
           setup_fields(csv, reference[k].setup, target.load);
-          csv.text(prs::name(i));
-          csv.integer(thread + 1);
-          csv.number(target.load_rate[i][thread], "%"_per_si);
+          csv.fields(prs::name(i), thread + 1, target.load_rate[i][thread] * "%"_per_si);
           for (const Model& model : models) csv.number(rate_of(model.curves[k].points[n], i, thread), "%"_per_si);
           csv.end_row();
         }
@@ -258,7 +250,7 @@ std::string load_rates_csv(const std::vector<Model>& models, const std::vector<C
 }
 
 /// Table of the rates of one case at its largest load.
-std::string markdown_table(const std::vector<Model>& models, const Curve& reference, std::size_t curve) {
+std::string markdown_table(const Models& models, const Curve& reference, std::size_t curve) {
   const CurvePoint& target = reference.points.back();
   std::string text = fmt::format("\n## {}, {:g} kN\n\n| thread |", name(reference.setup), target.load * "kN"_per_si);
   std::string rule = "\n| ---: |";
@@ -271,7 +263,7 @@ std::string markdown_table(const std::vector<Model>& models, const Curve& refere
     }
   }
   text += rule + '\n';
-  for (std::size_t thread = 0; thread < target.load_rate.screw.size(); ++thread) {
+  for (const auto thread : indices(target.load_rate.screw)) {
     text += fmt::format("| {} |", thread + 1);
     for (const Interface i : kInterfaces) {
       text += fmt::format(" {:.3f} |", percent(target.load_rate[i][thread]));
@@ -285,9 +277,9 @@ std::string markdown_table(const std::vector<Model>& models, const Curve& refere
   return text;
 }
 
-std::string load_rates_markdown(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+std::string load_rates_markdown(const Models& models, const Curves& reference) {
   std::string text = "# Load rates of all threads, in % of the sector load\n";
-  for (std::size_t k = 0; k < reference.size(); ++k) text += markdown_table(models, reference[k], k);
+  for (const auto k : indices(reference)) text += markdown_table(models, reference[k], k);
   return text;
 }
 
@@ -316,8 +308,8 @@ struct StyleIndices {
   std::size_t bars = 0;
 };
 
-StyleIndices add_styles(Figure& figure, const std::vector<Model>& models) {
-  for (std::size_t m = 0; m < models.size(); ++m) figure.add(models[m].name, kModelStyles[m % std::size(kModelStyles)]);
+StyleIndices add_styles(Figure& figure, const Models& models) {
+  for (const auto m : indices(models)) figure.add(models[m].name, kModelStyles[m % std::size(kModelStyles)]);
   StyleIndices styles;
   styles.points = figure.add("reference with its error bar", kPointStyle);
   styles.bars = figure.add(kBarStyle);
@@ -327,7 +319,7 @@ StyleIndices add_styles(Figure& figure, const std::vector<Model>& models) {
 /// A vertical stroke at each point, of twice its half width.
 Series error_bars(std::size_t style, const Polyline& points, const std::vector<double>& half_widths) {
   Series line{style};
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (const auto k : indices(points)) {
     const auto [x, y] = points[k];
     line.parts.push_back({{x, y - half_widths[k]}, {x, y + half_widths[k]}});
   }
@@ -337,16 +329,15 @@ Series error_bars(std::size_t style, const Polyline& points, const std::vector<d
 /// Load rates minus those of `base`, in %.
 Polyline differences(const std::vector<double>& rates, const std::vector<double>& base) {
   Polyline points;
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    points.push_back({static_cast<double>(k + 1), (rates[k] - base[k]) * "%"_per_si});
+  for (const auto k : indices(rates)) points.push_back({static_cast<double>(k + 1), (rates[k] - base[k]) * "%"_per_si});
   return points;
 }
 
 /// Rates of all models and the reference, minus those of `base`.
-Panel rate_panel(const std::vector<Model>& models, std::size_t curve, const CurvePoint& reference, Interface i,
+Panel rate_panel(const Models& models, std::size_t curve, const CurvePoint& reference, Interface i,
                  const std::vector<double>& base, const StyleIndices& styles, const ErrorBar& error) {
   Panel panel;
-  for (std::size_t m = 0; m < models.size(); ++m) {
+  for (const auto m : indices(models)) {
     const CurvePoint& point = models[m].curves[curve].points.back();
     if (point.is_solved()) panel.series.push_back({m, {differences(point.load_rate[i], base)}});
   }
@@ -365,8 +356,7 @@ Axis difference_axis(const std::vector<const Panel*>& panels) {
   return {"Less the reference", "%", -1.08 * widest, 1.08 * widest};
 }
 
-Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, const Curve& reference,
-                        const ErrorBar& error) {
+Figure load_rate_figure(const Models& models, std::size_t curve, const Curve& reference, const ErrorBar& error) {
   const CurvePoint& point = reference.points.back();
   const std::size_t threads = point.load_rate.screw.size();
   Figure figure;
@@ -398,11 +388,11 @@ Polyline over_load(const Curve& curve) {
   return points;
 }
 
-Panel displacement_panel(const std::vector<Model>& models, std::size_t curve, const Curve& reference,
-                         const StyleIndices& styles, const ErrorBar& error) {
+Panel displacement_panel(const Models& models, std::size_t curve, const Curve& reference, const StyleIndices& styles,
+                         const ErrorBar& error) {
   Panel panel;
   panel.title = case_title(reference.setup);
-  for (std::size_t m = 0; m < models.size(); ++m) panel.series.push_back({m, {over_load(models[m].curves[curve])}});
+  for (const auto m : indices(models)) panel.series.push_back({m, {over_load(models[m].curves[curve])}});
   Polyline points = over_load(reference);
   points.erase(points.begin());
   std::vector<double> half_widths;
@@ -414,27 +404,25 @@ Panel displacement_panel(const std::vector<Model>& models, std::size_t curve, co
 
 }  // namespace
 
-std::vector<ValidationTable> tables(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+std::vector<ValidationTable> tables(const Models& models, const Curves& reference) {
   return {stiffness_table(models, reference), load_table(models, reference, Interface::screw),
           load_table(models, reference, Interface::nut), summary_table(models, reference)};
 }
 
-std::vector<OutputFile> files(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+std::vector<OutputFile> files(const Models& models, const Curves& reference) {
   return {{"comparison.csv", comparison_csv(models, reference)},
           {"load_rates.csv", load_rates_csv(models, reference)},
           {"load_rates.md", load_rates_markdown(models, reference)}};
 }
 
-std::vector<Figure> load_rate_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
-                                      const ErrorBar& error) {
+std::vector<Figure> load_rate_figures(const Models& models, const Curves& reference, const ErrorBar& error) {
   std::vector<Figure> figures;
-  for (std::size_t k = 0; k < reference.size(); ++k)
+  for (const auto k : indices(reference))
     if (is_drawn(reference[k].setup)) figures.push_back(load_rate_figure(models, k, reference[k], error));
   return figures;
 }
 
-std::vector<Figure> displacement_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
-                                         const ErrorBar& error) {
+std::vector<Figure> displacement_figures(const Models& models, const Curves& reference, const ErrorBar& error) {
   std::vector<Figure> figures;
   for (const Guidance::Kind guidance : {Guidance::Kind::both_end_nodes, Guidance::Kind::outer_node}) {
     Figure figure;
@@ -445,7 +433,7 @@ std::vector<Figure> displacement_figures(const std::vector<Model>& models, const
     figure.y = {"Axial displacement", "µm"};
     figure.columns = 2;
     const StyleIndices styles = add_styles(figure, models);
-    for (std::size_t k = 0; k < reference.size(); ++k) {
+    for (const auto k : indices(reference)) {
       const Setup& setup = reference[k].setup;
       if (!is_drawn(setup) || setup.guidance != guidance) continue;
       figure.x.to = reference[k].points.back().load * "kN"_per_si;
@@ -460,10 +448,10 @@ std::vector<Figure> displacement_figures(const std::vector<Model>& models, const
 namespace {
 
 Supplement compared(const Case& screw, const Reference& of) {
-  const std::vector<Curve> reference = read_curves(of.folder / "data" / "curves.csv");
+  const Curves reference = read_curves(of.folder / "data" / "curves.csv");
   const auto curves = [&](ModelOptions::Bodies bodies) { return computed_curves(screw, bodies, reference); };
   Fidelities f{reference, curves(&kBars), curves(&kRefined), {}};
-  std::vector<Model> models{{"bars", f.bars}, {"refined", f.refined}};
+  Models models{{"bars", f.bars}, {"refined", f.refined}};
   std::vector<std::string> not_built;
   try {
     f.influence = curves(&kInfluence);

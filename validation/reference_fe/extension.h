@@ -14,31 +14,29 @@ inline constexpr ErrorBar kRefinedError{0.05, 0.010};
 
 /// The reference and the three models on the same curves.
 struct Fidelities {
-  std::vector<Curve> reference;
-  std::vector<Curve> bars;
-  std::vector<Curve> refined;
-  std::vector<Curve> influence;  ///< Empty if the program omits that model.
+  Curves reference;
+  Curves bars;
+  Curves refined;
+  Curves influence;  ///< Empty if the program omits that model.
 };
 
 /// Statements on the gap of the bar model, and whether the other two are within their error bars.
 std::vector<ComparedStatement> compare_statements(const Fidelities& fidelities);
 
 /// Discrepancies of the models at the largest load, case by case, and over all cases and loads.
-std::vector<ValidationTable> tables(const std::vector<Model>& models, const std::vector<Curve>& reference);
+std::vector<ValidationTable> tables(const Models& models, const Curves& reference);
 
 /// `comparison.csv`: every model at every point. `load_rates.csv`: every thread of every point.
 /// `load_rates.md`: every thread at the largest load, one table per case.
-std::vector<OutputFile> files(const std::vector<Model>& models, const std::vector<Curve>& reference);
+std::vector<OutputFile> files(const Models& models, const Curves& reference);
 
 /// Figures for each curve with opposite contacts at its largest load: load rate over the threads of both interfaces
 /// and, below, the differences from the reference. The reference is drawn as points with error bars, the models as
 /// lines.
-std::vector<Figure> load_rate_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
-                                      const ErrorBar& error);
+std::vector<Figure> load_rate_figures(const Models& models, const Curves& reference, const ErrorBar& error);
 
 /// Figures for each guidance of the displacement over the load, one row per configuration, one column per direction.
 /// Opposite contacts.
-std::vector<Figure> displacement_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
-                                         const ErrorBar& error);
+std::vector<Figure> displacement_figures(const Models& models, const Curves& reference, const ErrorBar& error);
 
 }  // namespace prs::reference_fe

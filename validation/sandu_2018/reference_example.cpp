@@ -1,6 +1,7 @@
 #include "validation/sandu_2018/reference_example.h"
 
 #include "contact/hertz_formulas.h"
+#include "prs/indices.h"
 #include "prs/slip/slip.h"
 #include "validation/extensions.h"
 #include "validation/sandu_2018/profile_curvatures.h"
@@ -17,12 +18,12 @@ Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
   };
   const double x_mean = mean(x), y_mean = mean(y);
   double xx = 0.0, xy = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  for (const auto i : indices(x)) {
     xx += (x[i] - x_mean) * (x[i] - x_mean);
     xy += (x[i] - x_mean) * (y[i] - y_mean);
   }
   Line line{y_mean - xy / xx * x_mean, xy / xx, 0.0};
-  for (std::size_t i = 0; i < x.size(); ++i)
+  for (const auto i : indices(x))
     line.worst = std::max(line.worst, std::abs(y[i] - line.intercept - line.slope * x[i]));
   return line;
 }

@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "validation/sandu_2018/reference_example.h"
 
 #include <fmt/ranges.h>
@@ -256,7 +257,7 @@ Finding friction_at_nut_rises_less(const Case& c) {
   const std::vector<Values> screw = friction_along_slip(c, friction_at_screw);
   const std::vector<Values> nut = friction_along_slip(c, friction_at_nut);
   bool holds = std::ranges::all_of(nut, rises);
-  for (std::size_t k = 0; k < nut.size(); ++k) holds = holds && spread(nut[k]) < spread(screw[k]);
+  for (const auto k : indices(nut)) holds = holds && spread(nut[k]) < spread(screw[k]);
   return {holds, "SKF LGWA2: " + listed(nut.back(), 1, 4)};
 }
 
@@ -562,7 +563,7 @@ Finding power_is_linear_in_speed_and_force(const Case& c) {
   const auto worst_ratio = [&](const Values& values, auto change) {
     const Values power = of(sweep(c, values, change), loss);
     Values ratio;
-    for (std::size_t k = 0; k < values.size(); ++k) ratio.push_back(power[k] / values[k]);
+    for (const auto k : indices(values)) ratio.push_back(power[k] / values[k]);
     return Values{least(ratio), greatest(ratio)};
   };
   const Values by_speed = worst_ratio(kSpeeds, speed);
@@ -576,7 +577,7 @@ Finding power_is_linear_in_speed_and_force(const Case& c) {
 Finding power_is_proportional_to_stress_and_viscosity(const Case& c) {
   const auto ratios = [](const Values& power, const Values& x) {
     Values ratio;
-    for (std::size_t k = 0; k < x.size(); ++k) ratio.push_back(power[k] / x[k]);
+    for (const auto k : indices(x)) ratio.push_back(power[k] / x[k]);
     return Values{least(ratio), greatest(ratio)};
   };
   const Values stress = ratios(of(sweep(c, kStresses, eyring_stress), loss), kStresses);

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "prs/indices.h"
 #include "validation/extensions.h"
 
 namespace prs::standard_screws {
@@ -63,7 +64,7 @@ double lead_exponent(const std::vector<Ratios>& rows, double (*capacity)(const R
 std::vector<CatalogueScrew> read_catalogue(const std::filesystem::path& file) {
   const CsvTable table(file);
   std::vector<CatalogueScrew> screws;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
+  for (const auto row : up_to(table.rows())) {
     const auto number = [&](const char* key, double unit) { return table.number(row, table.column(key)) * unit; };
     CatalogueScrew s;
     s.name = table.text(row, table.column("screw"));

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "prs/indices.h"
 #include "prs/loads/analyze.h"
 #include "prs/study/sensitivity.h"
 #include "validation/extensions.h"
@@ -109,7 +110,7 @@ class Ranking {
   /// Contribution [%], with the sign of the effect.
   double of(std::string_view input, Response response) const {
     const auto found = std::ranges::find(kInputs, input, &Input::name);
-    const FactorEffect& e = fits_[response]->effects[static_cast<std::size_t>(found - std::begin(kInputs))];
+    const FactorEffect& e = item_at(fits_[response]->effects, found - std::begin(kInputs));
     return std::copysign(e.contribution_percent, e.coefficient);
   }
   std::vector<std::string> ranked(Response response) const {
@@ -142,9 +143,9 @@ Rankings rankings(const Case& initial) {
   Case middle = initial;
   middle.mechanism.profile.roller = {Profile::Shape::centred};
   std::array<double, kInputCount> x{};
-  for (std::size_t k = 0; k < kSamples; ++k) {
+  for (const auto k : up_to(kSamples)) {
     Case c = middle;
-    for (std::size_t i = 0; i < kInputCount; ++i) {
+    for (const auto i : up_to(kInputCount)) {
       x[i] = 2.0 * latin_hypercube_number(1, i, k, kSamples) - 1.0;
       kInputs[i].scale(c, 1.0 + kRange * x[i]);
     }
@@ -245,8 +246,8 @@ Finding ratios_after_flank_angle(const Ranking& r) {
   const Names order = r.ranked(kScrewStress);
   const auto at = std::ranges::find(order, "beta_S") - order.begin();
   const Names ratios{"nu_S", "nu_R"};
-  const bool follow = std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 1)) != ratios.end() &&
-                      std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 2)) != ratios.end();
+  const bool follow = contains(ratios, order.at(static_cast<std::size_t>(at) + 1)) &&
+                      contains(ratios, order.at(static_cast<std::size_t>(at) + 2));
   return {follow && have_signs(r, kScrewStress, ratios, {}), r.listed(kScrewStress, 8)};
 }
 

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "fe/lu.h"
+#include "prs/indices.h"
 
 namespace prs {
 namespace {
@@ -61,7 +62,7 @@ std::optional<ThrustFace::Touching> ThrustFace::touching_under(const Eigen::Vect
     const double depth = u.cwiseAbs().maxCoeff();
     Touching next;
     for (Index n = 0, k = 0; n < nodes.rows(); ++n) {
-      const bool touches = k < count && touching[static_cast<std::size_t>(k)] == n;
+      const bool touches = k < count && item_at(touching, k) == n;
       if (touches ? push[k] > -kRounding * push.cwiseAbs().maxCoeff() : sense * u[n] > kRounding * depth)
         next.push_back(n);
       if (touches) ++k;
@@ -99,7 +100,7 @@ std::vector<LoadedFlank> with_friction(const BodyGeometry& b, std::vector<Loaded
 
 /// Nodes sorted by radius, innermost first.
 std::vector<int> by_radius(const GroovedBody& body, std::vector<int> nodes) {
-  const auto radius = [&](int node) { return body.mesh.nodes[static_cast<std::size_t>(node)].x(); };
+  const auto radius = [&](int node) { return item_at(body.mesh.nodes, node).x(); };
   std::sort(nodes.begin(), nodes.end(), [&](int a, int b) { return radius(a) < radius(b); });
   return nodes;
 }
@@ -127,7 +128,7 @@ ThrustFace thrust_face(const GroovedBody& body, const Material& material, const 
   const Eigen::MatrixXd loads = patch_loads(body, 0);
   const auto count = static_cast<Index>(nodes.size()), ends = loads.cols();
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(loads.rows(), count + ends);
-  for (Index k = 1; k < count; ++k) all(fe::row_of(nodes[static_cast<std::size_t>(k)], Component::axial), k) = 1.0;
+  for (Index k = 1; k < count; ++k) all(fe::row_of(item_at(nodes, k), Component::axial), k) = 1.0;
   all.rightCols(ends) = loads;
   const Eigen::MatrixXd g = flexibility_of(solver, 0, all);
   return {g.topLeftCorner(count, count), g.topRightCorner(count, ends), g.bottomRightCorner(ends, ends),
@@ -139,7 +140,7 @@ std::vector<fe::MeridianEdge> within(const GroovedBody& body, const std::vector<
                                      double radius) {
   std::vector<fe::MeridianEdge> inner;
   for (const fe::MeridianEdge& e : edges)
-    if (body.mesh.nodes[static_cast<std::size_t>(e[2])].x() < radius) inner.push_back(e);
+    if (item_at(body.mesh.nodes, e[2]).x() < radius) inner.push_back(e);
   return inner;
 }
 
@@ -228,17 +229,23 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure, const
 
 std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
   std::vector<int> nodes;
-  for (const fe::MeridianEdge& e : edges) nodes.insert(nodes.end(), e.begin(), e.end());
+  for (const fe::MeridianEdge& e : edges) append(nodes, e);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
 }
 
-Eigen::VectorXd transverse_force(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
+/// Nodal loads of a traction on a section, in harmonic 1.
+template <class Traction>
+Eigen::VectorXd section_load(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section, Traction traction) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
-  for (const fe::MeridianEdge& e : section)
-    fe::add_edge_load(
-        body.mesh, e, 1, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); }, load);
+  for (const fe::MeridianEdge& e : section) fe::add_edge_load(body.mesh, e, 1, traction, load);
+  return load;
+}
+
+Eigen::VectorXd transverse_force(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
+  const Eigen::VectorXd load =
+      section_load(body, section, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); });
   return load / load.cwiseAbs().sum();
 }
 
@@ -296,7 +303,7 @@ std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut) {
     const GroovedShape& shape = nut.body.shape;
     const double same = 1e-6 * shape.groove.pitch;
     std::erase_if(held, [&](int node) {
-      const double r = body.mesh.nodes[static_cast<std::size_t>(node)].x();
+      const double r = item_at(body.mesh.nodes, node).x();
       return r < shape.radii[0] - same || r > shape.radii[1] + same;
     });
     if (held.empty()) throw std::invalid_argument("the shoulder does not reach the flange's face");
@@ -372,7 +379,7 @@ void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body, const std::
   const auto radial = Eigen::seq(static_cast<Index>(Component::radial), Eigen::last, Index{fe::kComponents});
   const double half = 0.5 * body.shape.groove.pitch;
   for (Index k = 0; k < loads.cols(); ++k) {
-    const LoadedFlank& flank = flanks[static_cast<std::size_t>(k)];
+    const LoadedFlank& flank = item_at(flanks, k);
     const double force = 0.25 * sign(flank.side) * loads(radial, k).sum();
     loads.col(k) += force * (transverse_force(body, body.section(flank.ridge - half)) -
                              transverse_force(body, body.section(flank.ridge + half)));
@@ -407,8 +414,7 @@ MatrixCache::Matrices bent_with(const GuidedRoller& roller, Index guides) {
   const Index contacts = loads.cols();
   loads.leftCols(contacts / 2) *= -1.0;  // cos(theta) at theta = pi
   loads.conservativeResize(Eigen::NoChange, contacts + guides);
-  for (Index k = 0; k < guides; ++k)
-    loads.col(contacts + k) = transverse_force(body, end_sections(body)[static_cast<std::size_t>(k)]);
+  for (Index k = 0; k < guides; ++k) loads.col(contacts + k) = transverse_force(body, item_at(end_sections(body), k));
   return {flexibility_of(solver, 1, loads)};
 }
 MatrixCache::Matrices bent(const GuidedRoller& roller) { return bent_with(roller, 0); }
@@ -510,7 +516,7 @@ class Modes {
   }
   double weight(int mode) const { return 2 * mode % rollers_ == 0 ? rollers_ : 0.5 * rollers_; }
   void add(int harmonic, const Eigen::MatrixXd& g) { sum(of(harmonic)) += weight(of(harmonic)) * g; }
-  Eigen::MatrixXd& sum(int mode) { return sums_[static_cast<std::size_t>(mode)]; }
+  Eigen::MatrixXd& sum(int mode) { return item_at(sums_, mode); }
   int count() const { return static_cast<int>(sums_.size()); }
 
  private:
@@ -523,7 +529,7 @@ Eigen::MatrixXd along_threads(const BlockResponse& r, int threads) {
   Eigen::MatrixXd g = Eigen::MatrixXd::Zero(threads, threads);
   for (int d = -r.reach; d <= r.reach; ++d)
     for (int j = std::max(0, -d); j < std::min(threads, threads - d); ++j)
-      g(j + d, j) = r.kernel[static_cast<std::size_t>(d + r.reach)](0, 0);
+      g(j + d, j) = item_at(r.kernel, d + r.reach)(0, 0);
   return 0.5 * (g + g.transpose());
 }
 
@@ -541,13 +547,11 @@ double left_out(const HertzPatch& patch, const Material& material, double radius
 /// Nodal loads of a moment of 1 N m on a section, in harmonic 1, which turns its slope; also the weights of its mean
 /// slope, by axial displacements -r y'.
 Eigen::VectorXd turning_moment(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
-  for (const fe::MeridianEdge& e : section)
-    fe::add_edge_load(
-        body.mesh, e, 1, [](double r, double) { return Eigen::Vector3d(0.0, 0.0, -r); }, load);
+  const Eigen::VectorXd load =
+      section_load(body, section, [](double r, double) { return Eigen::Vector3d(0.0, 0.0, -r); });
   double turned = 0.0;
   for (const int node : nodes_of(section))
-    turned -= load[fe::row_of(node, Component::axial)] * body.mesh.nodes[static_cast<std::size_t>(node)].x();
+    turned -= load[fe::row_of(node, Component::axial)] * item_at(body.mesh.nodes, node).x();
   return load / turned;
 }
 
@@ -563,7 +567,7 @@ MatrixCache::Matrices bent_around(const ClampedBody& given) {
       clamped.push_back({node, c});
   Eigen::MatrixXd loads(fe::kComponents * body.mesh.size(), threads + ends);
   loads.leftCols(threads) = patch_loads(body, 1);
-  for (std::size_t k = 0; k < given.sections.size(); ++k) {
+  for (const auto k : indices(given.sections)) {
     const auto column = threads + 2 * static_cast<Index>(k);
     const std::vector<fe::MeridianEdge>& section = body.section(given.sections[k]);
     loads.col(column) = transverse_force(body, section);
@@ -617,7 +621,7 @@ FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& se
                          MatrixCache& cache) {
   ClampedBody clamped{given.body, sections};
   std::vector<double>& columns = clamped.body.body.shape.sections;
-  columns.insert(columns.end(), sections.begin(), sections.end());
+  append(columns, sections);
   const auto first = cached(cache, "clamped body", clamped, bent_around, is_bent_around);
   const auto kept = cached(cache, "uneven loads", given, unlike_modes, are_modes);
   FlexibilityAround f;
@@ -644,13 +648,12 @@ Eigen::Matrix2d cantilever(const RollerSection<double>& beam, double at, double 
 void lengthen(FlexibilityAround& f, const RollerSection<double>& beam, const std::vector<double>& behind) {
   const auto sections = static_cast<Index>(behind.size());
   Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(2 * sections, 2 * sections);
-  for (Index k = 0; k < sections; ++k) moved(2 * k + 1, 2 * k) = behind[static_cast<std::size_t>(k)];
+  for (Index k = 0; k < sections; ++k) moved(2 * k + 1, 2 * k) = item_at(behind, k);
   f.coupling *= moved;
   f.sections = moved.transpose() * f.sections * moved;
   for (Index i = 0; i < sections; ++i)
     for (Index j = 0; j < sections; ++j)
-      f.sections.block<2, 2>(2 * i, 2 * j) +=
-          cantilever(beam, behind[static_cast<std::size_t>(i)], behind[static_cast<std::size_t>(j)]);
+      f.sections.block<2, 2>(2 * i, 2 * j) += cantilever(beam, item_at(behind, i), item_at(behind, j));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <boost/math/special_functions/bessel.hpp>
 
 #include "contact/hertz_formulas.h"
+#include "prs/indices.h"
 
 namespace prs {
 namespace {
@@ -177,7 +178,7 @@ std::vector<double> columns_of(const GroovedShape& s, const std::vector<LoadedFl
   }
   // Graded from both sides alike, so that the mesh of a mirrored body is mirrored.
   std::vector<double> z;
-  for (std::size_t i = 0; i < distinct.size(); ++i) {
+  for (const auto i : indices(distinct)) {
     const auto gives_way_to = [&](std::size_t k) {
       return k < distinct.size() && distinct[k].essential && std::abs(distinct[k].z - distinct[i].z) < close - same;
     };
@@ -242,7 +243,7 @@ std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density
   stops.erase(std::unique(stops.begin(), stops.end(), [](double a, double b) { return b - a < 1e-9; }), stops.end());
   const double small = density.step_cell * thickness;
   std::vector<double> radii{first};
-  for (std::size_t i = 0; i < stops.size(); ++i) {
+  for (const auto i : indices(stops)) {
     const bool outermost = i + 1 == stops.size();
     const std::vector<double> part =
         outermost ? graded(radii.back(), stops[i], cell, density.growth, largest)
@@ -300,8 +301,8 @@ struct Layers {
   }
   /// Radius of a line between layers below a surface.
   double radius(int line, double surface) const {
-    return line <= ridge_cells() ? surface + (base - surface) * share[static_cast<std::size_t>(line)]
-                                 : core[static_cast<std::size_t>(line - ridge_cells())];
+    return line <= ridge_cells() ? surface + (base - surface) * item_at(share, line)
+                                 : item_at(core, line - ridge_cells());
   }
   /// Line in the grid, whose layers run outwards.
   int line_in_grid(int line) const { return outwards ? line : count() - line; }
@@ -336,7 +337,7 @@ double surface_radius(const GroovedShape& shape, double base, double z) {
 
 /// Whether a cell between two columns, with z in its middle, belongs to the body.
 bool is_filled(const GroovedShape& shape, const Layers& layers, double z, int layer) {
-  const auto core = [&](int line) { return layers.core[static_cast<std::size_t>(line - layers.ridge_cells())]; };
+  const auto core = [&](int line) { return item_at(layers.core, line - layers.ridge_cells()); };
   const bool in_core = layer >= layers.ridge_cells();
   if (shape.groove.internal && in_core) return core(layer + 1) < outer_radius(shape, z) * (1.0 + 1e-9);
   if (!is_threaded(shape, z) && has_step(shape, layers.base))
@@ -347,7 +348,7 @@ bool is_filled(const GroovedShape& shape, const Layers& layers, double z, int la
 fe::MeridianGrid grid_of(const GroovedShape& shape, const Layers& layers) {
   fe::MeridianGrid grid(layers.columns(), layers.count());
   for (int c = 0; c <= layers.columns(); ++c) {
-    const double z = layers.z[static_cast<std::size_t>(c)];
+    const double z = item_at(layers.z, c);
     const double surface = surface_radius(shape, layers.base, z);
     for (int l = 0; l <= layers.count(); ++l) grid.point(c, layers.line_in_grid(l)) = {layers.radius(l, surface), z};
   }
@@ -368,8 +369,7 @@ GroovedBody::Patch patch_on(const fe::MeshedGrid& meshed, const Layers& layers, 
   for (int c = 0; c < layers.columns(); ++c) {
     if (std::abs(layers.middle(c) - p.centre.y()) >= half) continue;
     const fe::MeridianEdge e = meshed.along_axis(c, layers.line_in_grid(0));
-    covered += std::abs(meshed.mesh().nodes[static_cast<std::size_t>(e[1])].y() -
-                        meshed.mesh().nodes[static_cast<std::size_t>(e[0])].y());
+    covered += std::abs(item_at(meshed.mesh().nodes, e[1]).y() - item_at(meshed.mesh().nodes, e[0]).y());
     p.edges.push_back(e);
   }
   if (std::abs(covered - 2.0 * half) > 1e-6 * half)
@@ -398,7 +398,7 @@ GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<Loade
   body.shape = shape;
   body.mesh = meshed.mesh();
   for (int c = 0; c <= layers.columns(); ++c) {
-    GroovedBody::Column column{layers.z[static_cast<std::size_t>(c)], {}, {}};
+    GroovedBody::Column column{item_at(layers.z, c), {}, {}};
     for (int l = 0; l < layers.count(); ++l) {
       const bool before = c > 0 && grid.is_filled(c - 1, l);
       const bool after = c < layers.columns() && grid.is_filled(c, l);

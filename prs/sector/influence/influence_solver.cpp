@@ -3,6 +3,7 @@
 #include <future>
 
 #include "fe/lu.h"
+#include "prs/indices.h"
 
 namespace prs {
 namespace {
@@ -236,7 +237,7 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
   }
   if (guides_ && s.converged()) {
     GuideLoads& guides = d.guides.emplace_back();
-    for (std::size_t k = 0; k < guides.force.size(); ++k) {
+    for (const auto k : indices(guides.force)) {
       guides.displacement[k] = s.guided[static_cast<Index>(k)];
       guides.force[k] = guides_->ring.force(guides.displacement[k]);
     }

@@ -1,3 +1,4 @@
+#include "prs/indices.h"
 #include "prs/sector/influence/flexibility.h"
 
 namespace prs {
@@ -31,14 +32,14 @@ MatrixCache::Matrices compute(const Teeth& t) {
     for (int d = -r.reach; d <= r.reach; ++d)
       for (Index a = 0; a < count; ++a)
         for (Index b = 0; b < count; ++b) {
-          const bool turned = t.opposite[static_cast<std::size_t>(a)] != t.opposite[static_cast<std::size_t>(b)];
+          const bool turned = item_at(t.opposite, a) != item_at(t.opposite, b);
           m[at(2 + d + reach)](a, b) += (turned && n % 2 == 1 ? -t.step : t.step) * r.kernel[at(d + r.reach)](a, b);
         }
   }
   m[0].resize(count, 1);
   m[1].resize(count, 1);
   for (Index a = 0; a < count; ++a) {
-    const HertzPatch& patch = t.types[static_cast<std::size_t>(a)].patch;
+    const HertzPatch& patch = item_at(t.types, a).patch;
     m[0](a) = half_space_compliance(patch, t.material);
     m[1](a) = half_space_remainder(patch, t.material, (n - 0.5 * t.step) / radius);
   }
@@ -54,8 +55,8 @@ void add_teeth(Flexibility& f, const Teeth& t, bool centred, MatrixCache& cache)
   const auto kernel = [&](int d, Index a, Index b) { return std::abs(d) > reach ? 0.0 : m[at(2 + d + reach)](a, b); };
   // Number of half pitches by which the flank of one type lies before that of another on the same ridge.
   const auto ahead = [&](Index a, Index b) {
-    const FlankSide of_a = t.types[static_cast<std::size_t>(a)].side;
-    const FlankSide of_b = t.types[static_cast<std::size_t>(b)].side;
+    const FlankSide of_a = item_at(t.types, a).side;
+    const FlankSide of_b = item_at(t.types, b).side;
     return static_cast<int>(0.5 * (sign(of_a) - sign(of_b)));
   };
   const auto count = static_cast<Index>(t.types.size());

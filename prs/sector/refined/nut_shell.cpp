@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/model/problems.h"
 
 namespace prs {
@@ -29,7 +30,7 @@ std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut&
 
 void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<int>& same) {
   same.clear();
-  for (std::size_t i = 0; i < line.outer_radius.size(); ++i) {
+  for (const auto i : indices(line.outer_radius)) {
     const auto alike = [&](std::size_t k) {
       return line.outer_radius[k] == line.outer_radius[i] && bore.root[k] == bore.root[i] &&
              std::abs(line.length(k) - line.length(i)) <= 1e-12 * line.length(i);
@@ -44,7 +45,7 @@ NutShell nut_shell(const NutShape& shape, const NutNumbers<double>& numbers) {
   std::vector<fe::ShellBlocks<double>> shells(shape.same.size());
   const double arm = set_nut_shells(shape, numbers, shells.data());
   NutShell nut{{}, arm, shape.effects.flange && !shape.has_ring, shape.held_radially()};
-  for (const int k : shape.same) nut.segments.push_back(fe::to_matrix(shells[static_cast<std::size_t>(k)]));
+  for (const int k : shape.same) nut.segments.push_back(fe::to_matrix(item_at(shells, k)));
   return nut;
 }
 
