@@ -21,8 +21,8 @@ bool has_contact_points(const Contacts& contacts) {
 std::string mechanism_title(const Contacts& contacts) {
   const contact::MechanismGeometry& threads = contacts.threads;
   return fmt::format("{}{} screw {:.4g} × {:.4g} mm", threads.screw.lead < 0.0 ? "left-handed " : "",
-                     threads.type == contact::MechanismType::standard ? "standard" : "inverted",
-                     2.0 * threads.screw.pitch_radius * "mm"_per_si, std::abs(threads.screw.lead) * "mm"_per_si);
+                     contact::facts_of(threads.type).name, 2.0 * threads.screw.pitch_radius * "mm"_per_si,
+                     std::abs(threads.screw.lead) * "mm"_per_si);
 }
 
 /// A range about its middle [m], shown in mm.

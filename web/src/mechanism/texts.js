@@ -26,7 +26,7 @@ export const texts = {
   place: ({ roller, thread, manyRollers }) =>
     manyRollers ? `roller ${roller}, thread ${thread}` : `thread ${thread} of each roller`,
   unloaded: 'no load',
-  types: { standard: 'Standard', inverted: 'Inverted' },
+  types: { standard: 'Standard', inverted: 'Inverted', recirculating: 'Recirculating' },
 };
 
 export const german = {
@@ -55,5 +55,9 @@ export const german = {
   atNut: 'an der Mutter',
   place: ({ roller, thread, manyRollers }) => (manyRollers ? `Rolle ${roller}, Gang ${thread}` : `Gang ${thread} jeder Rolle`),
   unloaded: 'keine Kraft',
-  types: { standard: 'Planetenrollengewindetrieb', inverted: 'Umgekehrter Planetenrollengewindetrieb' },
+  types: {
+    standard: 'Planetenrollengewindetrieb',
+    inverted: 'Umgekehrter Planetenrollengewindetrieb',
+    recirculating: 'Rollengewindetrieb mit Rollenrückführung',
+  },
 };

@@ -82,6 +82,8 @@ const table = {
   kind: ['Kind', 'Bauart'],
   standard: ['standard: rollers stay in place on the nut', 'Standard: Rollen bleiben an ihrem Ort auf der Mutter'],
   inverted: ['inverted: rollers stay in place on the screw', 'invertiert: Rollen bleiben an ihrem Ort auf der Spindel'],
+  recirculating: ['recirculating: rollers with grooves, led back in the nut',
+    'mit Rollenrückführung: gerillte Rollen, in der Mutter zurückgeführt'],
   screw_diameter: ['Screw diameter', 'Spindeldurchmesser'],
   lead: ['Lead', 'Steigung'],
   starts: ['Starts', 'Gangzahl'],
