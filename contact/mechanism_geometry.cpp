@@ -59,25 +59,31 @@ BacklashSearch solve_for_backlash(MechanismGeometry& m, Thread MechanismGeometry
 
 }  // namespace
 
+std::optional<MechanismType> type_named(std::string_view name) {
+  for (const MechanismType type : kMechanismTypes)
+    if (facts_of(type).name == name) return type;
+  return std::nullopt;
+}
+
 MechanismContact mechanism_contact(const MechanismGeometry& mechanism, Configuration configuration) {
   return {interface_geometry(screw_pair(mechanism), roller_face_at_screw(configuration)),
           interface_geometry(nut_pair(mechanism), roller_face_at_nut(configuration))};
 }
 
 double roller_lead(MechanismType type, double screw_lead, double roller_pitch, int roller_starts) {
-  const double hand = std::copysign(1.0, screw_lead) * (type == MechanismType::standard ? 1.0 : -1.0);
-  return hand * roller_pitch * roller_starts;
+  const int hand = facts_of(type).roller_hand;
+  return hand == 0 ? 0.0 : std::copysign(hand * roller_pitch * roller_starts, hand * screw_lead);
 }
 
 PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts, int roller_starts) {
   const double ratio = static_cast<double>(screw_starts) / roller_starts;
-  const double roller = type == MechanismType::standard ? screw_radius / (ratio - 2.0) : screw_radius / ratio;
+  const double roller = screw_radius / (ratio - facts_of(type).starts_over_diameters);
   return {screw_radius, roller, screw_radius + 2.0 * roller};
 }
 
 KinematicConsistency kinematic_consistency(const MechanismGeometry& m) {
-  const bool standard = m.type == MechanismType::standard;
-  return {m.nut.lead - m.screw.lead, m.roller.pitch_radius / (standard ? m.nut.pitch_radius : m.screw.pitch_radius),
+  const Thread& geared = facts_of(m.type).carrier_on_nut ? m.nut : m.screw;
+  return {m.nut.lead - m.screw.lead, m.roller.pitch_radius / geared.pitch_radius,
           std::abs(m.roller.lead / m.screw.lead)};
 }
 
@@ -115,15 +121,14 @@ DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts
     result.status = DesignStatus::pitches_differ;
     return result;
   }
-  const bool standard = m.type == MechanismType::standard;
-  if (standard && screw_starts <= 2 * roller_starts) {
+  if (screw_starts <= facts_of(m.type).starts_over_diameters * roller_starts) {
     result.status = DesignStatus::too_few_screw_starts;
     return result;
   }
-  const PitchRadii radii = matched_pitch_radii(m.type, m.screw.pitch_radius, screw_starts, roller_starts);
-  m.roller.pitch_radius = radii.roller;
-  m.nut.pitch_radius = radii.nut;
-  m.centre_distance = radii.screw + radii.roller;
+  if (!is_grooved(m.type))
+    m.roller.pitch_radius = matched_pitch_radii(m.type, m.screw.pitch_radius, screw_starts, roller_starts).roller;
+  m.nut.pitch_radius = m.screw.pitch_radius + 2.0 * m.roller.pitch_radius;
+  m.centre_distance = m.screw.pitch_radius + m.roller.pitch_radius;
 
   // The matched part determines the centre distance, then the other one is rectified.
   struct Step {
@@ -131,8 +136,9 @@ DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts
     Unknown what;
   };
   const auto screw = &MechanismGeometry::screw, nut = &MechanismGeometry::nut;
-  for (const Step& step : {Step{standard ? nut : screw, Unknown::centre_distance},
-                           Step{standard ? screw : nut, Unknown::pitch_radius_of_body}}) {
+  const bool on_nut = facts_of(m.type).carrier_on_nut;
+  for (const Step& step : {Step{on_nut ? nut : screw, Unknown::centre_distance},
+                           Step{on_nut ? screw : nut, Unknown::pitch_radius_of_body}}) {
     const bool at_screw = step.body == screw;
     const BacklashSearch search = solve_for_backlash(m, step.body, step.what, at_screw ? backlash.screw : backlash.nut);
     result.iterations += search.iterations;

@@ -1,13 +1,41 @@
 #pragma once
 
+#include <array>
+
 #include "contact/contact_point.h"
 
 namespace contact {
 
 enum class MechanismType : std::int64_t {
-  standard,  ///< The nut is geared to the rollers and matches their helix angle.
-  inverted,  ///< The screw is geared to the rollers; their helix angles are opposite.
+  standard,       ///< The nut is geared to the rollers and matches their helix angle.
+  inverted,       ///< The screw is geared to the rollers; their helix angles are opposite.
+  recirculating,  ///< Rollers with grooves and without teeth, which a recess leads back by a lead per orbit.
 };
+inline constexpr std::array kMechanismTypes = {MechanismType::standard, MechanismType::inverted,
+                                               MechanismType::recirculating};
+
+/// What distinguishes a type of mechanism from the others.
+struct TypeFacts {
+  std::string_view name;
+  std::string_view meaning;
+  /// Whether the carrier keeps its place on the nut, and the screw turns; else it keeps its place on the screw, and the
+  /// nut turns. Rollers with teeth are geared to that part.
+  bool carrier_on_nut;
+  int roller_hand;  ///< Hand of the rollers' threads over that of the screw; 0: grooves, and no teeth.
+  /// Screw starts over roller starts of a matched mechanism less the ratio of the diameters of screw and roller.
+  int starts_over_diameters;
+  int fewest_starts, most_starts;  ///< Usual starts of the screw.
+  int unloaded_rollers;            ///< Usual number of rollers that carry nothing.
+};
+
+inline constexpr TypeFacts kTypeFacts[] = {
+    {"standard", "the rollers stay in place on the nut", true, 1, 2, 3, 10, 0},
+    {"inverted", "the rollers stay in place on the screw", false, -1, 0, 1, 10, 0},
+    {"recirculating", "rollers with grooves run along the nut, which leads them back", true, 0, 0, 1, 2, 1}};
+constexpr const TypeFacts& facts_of(MechanismType type) { return kTypeFacts[static_cast<std::size_t>(type)]; }
+constexpr bool is_grooved(MechanismType type) { return facts_of(type).roller_hand == 0; }
+/// The type of this name, if there is one.
+std::optional<MechanismType> type_named(std::string_view name);
 
 /// The three threads of a planetary roller screw and the distance of their axes.
 struct MechanismGeometry {
@@ -36,12 +64,13 @@ struct MechanismContact {
 MechanismContact mechanism_contact(const MechanismGeometry& mechanism, Configuration configuration);
 
 /// Lead of the roller [m]: pitch times starts, with the hand of the screw in a standard and the
-/// opposite one in an inverted mechanism (Sandu 2018, (1.50)).
+/// opposite one in an inverted mechanism (Sandu 2018, (1.50)); 0 of grooves.
 double roller_lead(MechanismType type, double screw_lead, double roller_pitch, int roller_starts);
 
 /// Pitch radii that match helix angles, for a screw's pitch radius [m]: roller and nut in a standard mechanism (1.52),
 /// roller and screw in an inverted one (1.53); the third follows from r_N = r_S + 2 r_R. A standard mechanism needs
-/// more than two screw starts per roller start; otherwise the roller's radius becomes negative or infinite.
+/// more than two screw starts per roller start; otherwise the roller's radius becomes negative or infinite. Rollers
+/// with grooves match any radius.
 struct PitchRadii {
   double screw = 0.0;
   double roller = 0.0;
@@ -105,7 +134,8 @@ struct DesignResult {
 /// whose threads have lead, pitch and profile, finds the roller's and nut's pitch radii, the centre
 /// distance and the one rectified radius that give the wanted backlash. Standard: roller and nut
 /// matched (1.52), c by the nut's backlash, then the *screw's* radius rectified. Inverted: roller
-/// matched to the screw (1.53), c by the screw's backlash, then the *nut's* radius rectified.
+/// matched to the screw (1.53), c by the screw's backlash, then the *nut's* radius rectified. Rollers with grooves have
+/// the draft's radius, and c and the screw's radius follow as of a standard mechanism.
 /// Newton with exact derivatives (at the minimum of the clearance, its total and its partial
 /// derivative agree), to 1e-14 m; 2 to 4 steps each.
 DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts, int roller_starts,

@@ -113,10 +113,14 @@ void add_optimize_options(CLI::App& optimize, Options& options) {
 
 void add_configurations_options(CLI::App& command, Options& options) {
   ConfigurationOptions& o = options.configurations;
-  add_value(command, "--screw-diameter", o.screw_diameter, "LENGTH", "Pitch diameter, with its unit")->required();
+  add_value(command, "--screw-diameter", o.screw_diameter, "LENGTH", "Pitch diameter, with its unit");
+  add_value(command, "--nut-diameter", o.nut_diameter, "LENGTH",
+            "In its place: outer diameter of the nut; compares all starts in it");
   add_value(command, "--lead", o.lead, "LENGTH", "Of screw and nut; > 0 right-handed")->required();
-  take_one_of(command.add_option("--type", o.type, "Default: both"), {"standard", "inverted"});
-  take_whole_number(command.add_option("--starts", o.starts, "Of screw and nut; default: 3 to 10"), 1, 100);
+  take_one_of(command.add_option("--type", o.type, "Default: all"), {"standard", "inverted", "recirculating"});
+  take_whole_number(command.add_option("--starts", o.starts,
+                                       "Of screw and nut; default: 3 to 10, inverted 1 to 10, recirculating 1 to 2"),
+                    1, 100);
   take_whole_number(command.add_option("--roller-starts", o.roller_starts, "Default: 1 to 3"), 1, 100);
   take_whole_number(command.add_option("--rollers", o.rollers, "That must fit; default: as many as do"), 3, 1000);
   add_value(command, "--gap", o.gap, "LENGTH", "Least between neighbouring crests; default: 0 mm");
@@ -280,7 +284,8 @@ constexpr OwnRow kOwnRows[] = {
     {"configurations", kStart, "List the geometries that a screw diameter and a lead allow", add_configurations_options,
      configurations,
      "prs configurations --screw-diameter '24 mm' --lead '6 mm'\n"
-     "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml"},
+     "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml\n"
+     "prs configurations --nut-diameter '50 mm' --lead '5 mm' --type inverted"},
     {"size", kStart, "Choose a screw and a motor for a motion, a life and a stroke", add_size_options, size,
      "prs size press.yaml\n"
      "prs size press.yaml --output out --write 1 screw.yaml"},

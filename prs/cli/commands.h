@@ -12,9 +12,9 @@ namespace prs::cli {
 
 /// Arguments of `prs configurations`; quantities as the user wrote them.
 struct ConfigurationOptions {
-  std::string screw_diameter, lead;
-  std::optional<std::string> flank_angle, gap, roller_profile_radius;
-  std::optional<std::string> type;  ///< `standard` or `inverted`.
+  std::string lead;
+  std::optional<std::string> screw_diameter, nut_diameter, flank_angle, gap, roller_profile_radius;
+  std::optional<std::string> type;  ///< Name of a type.
   std::optional<int> starts, roller_starts, rollers;
   std::vector<std::string> write;  ///< Empty, or the number of a line and a file.
 };

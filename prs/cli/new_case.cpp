@@ -44,12 +44,19 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   constexpr double kDegree = std::numbers::pi / 180;
   const Bounds size{1e-3, 1.0};
   ConfigurationQuery q;
-  q.screw_diameter =
-      quantity_option("--screw-diameter", o.screw_diameter, unit::length, size, "1 mm to 1 m; check the unit");
+  if (o.screw_diameter.has_value() == o.nut_diameter.has_value())
+    fail_option("--screw-diameter", "{}; expected this or `--nut-diameter`; give one of them",
+                o.screw_diameter ? "got it and the nut's" : "missing");
+  const std::string_view size_text = "1 mm to 1 m; check the unit";
+  if (o.screw_diameter)
+    q.screw_diameter = quantity_option("--screw-diameter", *o.screw_diameter, unit::length, size, size_text);
+  else
+    q.nut_diameter = quantity_option("--nut-diameter", *o.nut_diameter, unit::length, size, size_text);
+  const double diameter = q.nut_diameter.value_or(q.screw_diameter);
   q.lead = quantity_option("--lead", o.lead, unit::length, not_zero,
                            "a lead other than 0; > 0 right-handed, < 0 left-handed");
-  if (std::abs(q.lead) > 10.0 * q.screw_diameter || std::abs(q.lead) < 1e-4 * q.screw_diameter)
-    fail_option("--lead", "got {}; expected 0.0001 to 10 screw diameters; check the units", shown(o.lead));
+  if (std::abs(q.lead) > 10.0 * diameter || std::abs(q.lead) < 1e-4 * diameter)
+    fail_option("--lead", "got {}; expected 0.0001 to 10 diameters; check the units", shown(o.lead));
   if (o.flank_angle)
     q.flank_angle = quantity_option("--flank-angle", *o.flank_angle, unit::angle, {20 * kDegree, 70 * kDegree},
                                     "20 deg to 70 deg, usually 45 deg");
@@ -57,7 +64,7 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   if (o.roller_profile_radius)
     q.roller_profile_radius =
         quantity_option("--roller-profile-radius", *o.roller_profile_radius, unit::length, positive, "more than 0 mm");
-  if (o.type) q.type = *o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
+  if (o.type) q.type = contact::type_named(*o.type);
   q.screw_starts = o.starts;
   q.roller_starts = o.roller_starts;
   q.rollers = o.rollers;
@@ -89,7 +96,7 @@ void write_configuration(const Configuration& configuration, const Configuration
     try {
       return configuration_case(configuration);
     } catch (const CaseError& error) {
-      fail_option("--write", error.what());
+      fail_option("--write", "line {}: {}: {}", o.write[0], error.path(), error.what());
     }
   }();
   if (std::filesystem::exists(o.write[1]))
@@ -100,18 +107,21 @@ void write_configuration(const Configuration& configuration, const Configuration
 }  // namespace
 
 void add_new_options(CLI::App& command, NewOptions& options) {
-  add_value(command, "type", options.type, "standard|inverted", "Type of the screw");
+  add_value(command, "type", options.type, "standard|inverted|recirculating", "Type of the screw");
   add_value(command, "file", options.file, "FILE", "New file; printed without one, or with `-`");
   const auto add = [&](const char* name, std::optional<std::string>& text, const char* what, const char* kind) {
     command.add_option(name, text, what)->type_name(kind);
   };
   add("--screw-diameter", options.screw_diameter, "Nominal diameter, with its unit", "LENGTH");
   add("--lead", options.lead, "Of screw and nut; > 0 right-handed", "LENGTH");
-  take_whole_number(command.add_option("--starts", options.starts, "Of screw and nut; default: 5, 4 or 3"), 1, 100);
+  take_whole_number(
+      command.add_option("--starts", options.starts, "Of screw and nut; default: 5, 4 or 3, recirculating 1"), 1, 100);
   take_whole_number(command.add_option("--rollers", options.rollers, "Default: as many as fit"), 1, 1000);
   add("--nut-diameter", options.nut_diameter, "Outer; default: as in catalogues", "LENGTH");
   add("--nut-length", options.nut_length,
       "Of the whole nut, inverted: of the tube that the rollers travel in; default: by rule", "LENGTH");
+  add("--roller-diameter", options.roller_diameter,
+      "Of a recirculating screw, pitch diameter; default: that of a standard screw of three starts", "LENGTH");
   add("--roller-profile-radius", options.roller_profile_radius, "Of the convex rollers; default: 5 pitches", "LENGTH");
   add("--load", options.load, "Axial; default: 1.8 GPa with equal thread loads", "FORCE");
   add("--speed", options.speed, "Screw against nut; default: half of 150,000 mm/min over the diameter", "SPEED");
@@ -133,8 +143,9 @@ int new_case(const Options& all) {
     if (const std::string name = first_given(options); !name.empty())
       fail_option(name, "got a value; expected none with --lesson, which copies what is there; change the copy");
     std::swap(options.type, options.file);
-  } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
-    throw UsageError("TYPE: got {}; expected one of standard, inverted, then the FILE", input::shown(options.type));
+  } else if (!options.type.empty() && !contact::type_named(options.type)) {
+    throw UsageError("TYPE: got {}; expected one of standard, inverted, recirculating, then the FILE",
+                     input::shown(options.type));
   }
   const std::optional<Lesson> copied = options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;
   if (options.file.empty() || options.file == kStandardInput) {

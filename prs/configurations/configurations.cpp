@@ -26,7 +26,7 @@ double involute(double angle) { return std::tan(angle) - angle; }
 
 /// z_body -+ z_roller, for an internal or an external pair.
 int teeth_between(Mechanism::Type type, const GearPair& pair) {
-  return type == Mechanism::Type::standard ? pair.body_teeth - pair.roller_teeth : pair.body_teeth + pair.roller_teeth;
+  return pair.body_teeth + (carrier_part(type) == Part::nut ? -pair.roller_teeth : pair.roller_teeth);
 }
 
 /// Sets working pressure angle and profile shift; false if base circles do not let the gears mesh or the shift is too
@@ -41,23 +41,35 @@ bool fit(Mechanism::Type type, double centre_distance, GearPair& pair) {
   return std::abs(pair.profile_shift) <= kMostShift;
 }
 
-constexpr int kFewestStarts = 3, kMostStarts = 10;
 constexpr int kMostRollerStarts = 3;
 
-/// Rolling diameters by the starts; meaningless if `too_few_starts`.
-PerPart<double> rolling_diameters(const Mechanism& m, double screw_diameter) {
-  const contact::PitchRadii radii =
-      contact::matched_pitch_radii(threads_of(m).type, 0.5 * screw_diameter, m.starts.screw, m.starts.roller);
-  return {screw_diameter, 2.0 * radii.roller, 2.0 * radii.nut};
+/// Rolling diameter of the rollers by the starts, (1.52), (1.53); meaningless if `too_few_starts`. Rollers with grooves
+/// are as thick as those of a standard screw of three starts.
+double rolling_diameter(Mechanism::Type type, double screw_diameter, Mechanism::Starts starts) {
+  const bool grooved = contact::is_grooved(type);
+  if (grooved) starts = {3, 1};
+  return 2.0 * contact::matched_pitch_radii(grooved ? Mechanism::Type::standard : type, 0.5 * screw_diameter,
+                                            starts.screw, starts.roller)
+                   .roller;
 }
 
 bool too_few_starts(Mechanism::Type type, Mechanism::Starts starts) {
-  return type == Mechanism::Type::standard && starts.screw <= 2 * starts.roller;
+  return starts.screw <= contact::facts_of(type).starts_over_diameters * starts.roller;
 }
+
+/// Least number of rollers that centre the screw and carry it.
+int fewest_rollers(Mechanism::Type type) { return kFewestRollers + contact::facts_of(type).unloaded_rollers; }
 
 /// Threads along one and a half screw diameters, as a first proposal.
 int proposed_contacts(double screw_diameter, double pitch) {
   return static_cast<int>(std::clamp(std::round(1.5 * screw_diameter / pitch), 5.0, 100.0));
+}
+
+/// Diameter of the screw [m]: that whose nut has the outer diameter by rule, if it is given.
+double screw_diameter_of(const ConfigurationQuery& query, Mechanism::Type type, Mechanism::Starts starts) {
+  if (!query.nut_diameter) return query.screw_diameter;
+  const double nut = (*query.nut_diameter - kNutDiameterOffset) / kNutDiameterSlope;
+  return nut / (1.0 + 2.0 * rolling_diameter(type, 1.0, starts));
 }
 
 Mechanism draft(const ConfigurationQuery& query, Mechanism::Type type, Mechanism::Starts starts) {
@@ -67,9 +79,11 @@ Mechanism draft(const ConfigurationQuery& query, Mechanism::Type type, Mechanism
   m.lead = query.lead;
   m.starts = starts;
   m.flank_angle = {query.flank_angle, query.flank_angle, query.flank_angle};
-  m.pitch_diameter.screw = query.screw_diameter;
-  m.rollers = query.rollers.value_or(kFewestRollers);
-  m.contacts_per_roller = proposed_contacts(query.screw_diameter, axial_pitch(m));
+  const double diameter = screw_diameter_of(query, type, starts);
+  m.pitch_diameter.screw = diameter;
+  if (contact::is_grooved(type)) m.pitch_diameter.roller = rolling_diameter(type, diameter, starts);
+  m.rollers = query.rollers.value_or(fewest_rollers(type));
+  m.contacts_per_roller = proposed_contacts(diameter, axial_pitch(m));
   return m;
 }
 
@@ -82,7 +96,7 @@ void describe(Configuration& c, const Contacts& contacts, double gap) {
     c.helix_angle[p] = contact::ThreadSurface(*thread[p]).helix_angle();
   }
   c.centre_distance = threads.centre_distance;
-  c.gear_ratio = gear_ratio(c.mechanism);
+  c.gear_ratio = gear_ratio(contacts.mechanism);
   const double crest = contact::flank_limits(threads.roller).largest;
   c.most_rollers = most_rollers(c.centre_distance, crest, gap);
 }
@@ -98,7 +112,7 @@ void count_rollers(Configuration& c, const ConfigurationQuery& query, double cre
   c.crest_gap = neighbour_gap(c.centre_distance, crest, c.mechanism.rollers);
   for (int n = kFewestRollers; n <= c.most_rollers; ++n)
     if (go_in_alike(c.mechanism.starts, n)) c.alike.push_back(n);
-  c.gears = gear_pairs(c.mechanism.type, c.mechanism.starts, c.centre_distance, c.mechanism.rollers, query.gap);
+  c.gears = gear_pairs(c.mechanism, c.centre_distance, query.gap);
 }
 
 /// First warning of `prs check` about the mechanism; empty if there is none.
@@ -117,16 +131,17 @@ struct Verdict {
 
 /// Tries the mechanism with these starts, and stores it in `c`.
 Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechanism::Starts starts, Configuration& c) {
+  if (contact::is_grooved(type) != (starts.roller == 0)) return {"its rollers have grooves, no starts"};
   if (too_few_starts(type, starts))
     return {
         "roller and nut can only have the same helix angle with more than two screw starts for "
         "each roller start"};
   c.mechanism = draft(query, type, starts);
-  c.rolling_diameter = rolling_diameters(c.mechanism, query.screw_diameter);
-  if (c.rolling_diameter.roller > query.screw_diameter * (1.0 + 1e-9))
-    return {"the rollers would be thicker than the screw"};
-  const double arc =
-      query.roller_profile_radius.value_or(0.5 * c.rolling_diameter.roller / std::sin(query.flank_angle));
+  const double screw = *c.mechanism.pitch_diameter.screw, roller = rolling_diameter(type, screw, starts);
+  if (!(screw > 0.0)) return {"the nut is thinner than its wall"};
+  c.rolling_diameter = {screw, roller, screw + 2.0 * roller};
+  if (roller > screw * (1.0 + 1e-9)) return {"the rollers would be thicker than the screw"};
+  const double arc = query.roller_profile_radius.value_or(0.5 * roller / std::sin(query.flank_angle));
   c.mechanism.profile.roller = {Profile::Shape::convex, arc};
 
   Contacts contacts;
@@ -139,13 +154,23 @@ Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechan
   for (const Interface i : kInterfaces)
     if (!contacts.interfaces[i].has_hertz()) return {no_contact, failure(contacts, i).message};
   describe(c, contacts, query.gap);
-  if (c.most_rollers < kFewestRollers) return {"fewer than three rollers fit"};
+  if (c.most_rollers < fewest_rollers(type)) return {fmt::format("fewer than {} rollers fit", fewest_rollers(type))};
   if (query.rollers && *query.rollers > c.most_rollers)
     return {fmt::format("{} rollers do not fit, at most {}", *query.rollers, c.most_rollers)};
   count_rollers(c, query, contact::flank_limits(contacts.threads.roller).largest);
   c.moderate_force = moderate_force(c.mechanism, contacts);
+  c.greatest_speed = kGreatestSpeedTimesDiameter / screw;
   const std::string warning = first_warning(c.mechanism, contacts);
-  return warning.empty() ? Verdict{} : Verdict{"the geometry is unusual", warning};
+  if (!warning.empty()) return {"the geometry is unusual", warning};
+  c.nut_diameter = query.nut_diameter;
+  try {
+    const CompleteScrew written = complete_screw(data_of(c));
+    c.dynamic_capacity = require_capacity(written);
+    c.outer_diameter = written.c.structure->nut.outer_diameter;
+  } catch (const CaseError& error) {
+    return {"no case can be written of it", fmt::format("{}: {}", error.path(), error.what())};
+  }
+  return {};
 }
 
 struct Span {
@@ -168,20 +193,22 @@ int most_rollers(double centre_distance, double outer_radius, double gap) {
 
 double indexing_angle(Mechanism::Type type, Mechanism::Starts starts, int rollers) {
   const int forward = starts.screw % rollers;
-  const int steps = type == Mechanism::Type::inverted ? forward : (rollers - forward) % rollers;
+  const int steps = carrier_part(type) == Part::screw ? forward : (rollers - forward) % rollers;
   return 2.0 * std::numbers::pi / starts.roller * steps / rollers;
 }
 
 bool go_in_alike(Mechanism::Starts starts, int rollers) { return starts.screw % rollers == 0; }
 
-std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts, double centre_distance, int rollers,
-                                 double gap) {
+std::vector<GearPair> gear_pairs(const Mechanism& m, double centre_distance, double gap) {
   std::vector<GearPair> pairs;
+  const auto& [type, starts, rollers] = std::tie(m.type, m.starts, m.rollers);
+  if (starts.roller == 0) return pairs;
   const int first = (kFewestTeeth + starts.roller - 1) / starts.roller;
   for (int k = first; k * starts.roller <= kMostTeeth; ++k) {
     GearPair pair;
     pair.roller_teeth = k * starts.roller;
     pair.body_teeth = k * starts.screw;
+    pair.tooth_misfit = axial_pitch(m) / k;
     const int teeth = teeth_between(type, pair);
     if (teeth <= 0) continue;
     const double pitch_radius = centre_distance * pair.roller_teeth / teeth;
@@ -205,10 +232,12 @@ std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts,
 
 Configurations configurations(const ConfigurationQuery& query) {
   Configurations all;
-  const Span screw = span(query.screw_starts, kFewestStarts, kMostStarts);
-  const Span roller = span(query.roller_starts, 1, kMostRollerStarts);
-  for (const Mechanism::Type type : {Mechanism::Type::standard, Mechanism::Type::inverted}) {
-    if (query.type && *query.type != type) continue;
+  for (const Mechanism::Type type : contact::kMechanismTypes) {
+    if (query.type ? *query.type != type : query.roller_starts && contact::is_grooved(type)) continue;
+    const contact::TypeFacts& facts = contact::facts_of(type);
+    const Span screw = span(query.screw_starts, facts.fewest_starts, facts.most_starts);
+    const Span roller =
+        contact::is_grooved(type) ? span(query.roller_starts, 0, 0) : span(query.roller_starts, 1, kMostRollerStarts);
     for (int n_r = roller.first; n_r <= roller.last; ++n_r)
       for (int n_s = screw.first; n_s <= screw.last; ++n_s) {
         Configuration c;
@@ -229,11 +258,11 @@ constexpr int kStartsLimit = 100, kMostUsualStarts = 10;
 constexpr double kFinestPitch = 0.002, kUsualPitch = 0.1, kCoarsestPitch = 1.0;  // over d_R
 constexpr double kThickestNut = 100.0;                                           // over d_N
 
-bool is_standard(const ScrewData& d) { return d.type == Mechanism::Type::standard; }
+/// Whether the rollers keep their place on the nut, or run along it: then it is as long as its threads need.
+bool on_nut(const ScrewData& d) { return carrier_part(d.type) == Part::nut; }
 
 double roller_diameter(const ScrewData& d, int starts) {
-  const double ratio = static_cast<double>(starts) / d.roller_starts;
-  return d.screw_diameter / (is_standard(d) ? ratio - 2.0 : ratio);
+  return d.roller_diameter.value_or(rolling_diameter(d.type, d.screw_diameter, {starts, d.roller_starts}));
 }
 
 /// Whole number of threads along a length.
@@ -253,11 +282,12 @@ Mechanism draft_of(const ScrewData& d, int starts) {
   m.type = d.type;
   m.geometry = Mechanism::Geometry::design;
   m.lead = d.lead;
-  m.starts = {starts, d.roller_starts};
+  m.starts = {starts, contact::is_grooved(d.type) ? 0 : d.roller_starts};
   m.flank_angle = {d.flank_angle, d.flank_angle, d.flank_angle};
   m.pitch_diameter.screw = d.screw_diameter;
+  if (contact::is_grooved(d.type)) m.pitch_diameter.roller = roller_diameter(d, starts);
   m.profile.roller = {Profile::Shape::convex, d.roller_profile_radius.value_or(kProfileRadius * pitch)};
-  m.rollers = kFewestRollers;
+  m.rollers = fewest_rollers(d.type);
   m.contacts_per_roller = kFewestContacts;
   return m;
 }
@@ -309,9 +339,10 @@ Threads threads_for(const ScrewData& d, int starts) {
     const contact::MechanismGeometry& threads = t.contacts->threads;
     const double crest = contact::flank_limits(threads.roller).largest;
     t.most_rollers = most_rollers(threads.centre_distance, crest, 0.0);
-    t.mechanism.rollers =
-        std::max(std::min(kFewestRollers, t.most_rollers), most_rollers(threads.centre_distance, crest, 0.5 * pitch));
-    if (t.most_rollers < kFewestRollers) t.reason = "fewer than three rollers fit";
+    t.mechanism.rollers = std::max(std::min(fewest_rollers(d.type), t.most_rollers),
+                                   most_rollers(threads.centre_distance, crest, 0.5 * pitch));
+    if (t.most_rollers < fewest_rollers(d.type))
+      t.reason = fmt::format("fewer than {} rollers fit", fewest_rollers(d.type));
   }
   if (!t.reason.empty()) t.contacts.reset();
   return t;
@@ -351,6 +382,7 @@ double proposed(double value) {
 double whole(double length) { return 1e-3 * std::round(1e3 * length); }
 
 int usual_starts(const ScrewData& d) {
+  if (contact::is_grooved(d.type)) return 1;
   for (const int n : {5, 4, 3})
     if (roller_diameter(d, n) >= kThinnestRoller * (1.0 - 1e-9) && rolls(d, n)) return n;
   for (int n = 3; n <= kMostUsualStarts; ++n)
@@ -376,11 +408,29 @@ int usual_starts(const ScrewData& d) {
 }
 
 void check_starts(const ScrewData& d) {
-  const int fewest = is_standard(d) ? 2 * d.roller_starts + 1 : std::max(2, d.roller_starts);
+  const int less = contact::facts_of(d.type).starts_over_diameters;
+  const int fewest = std::max(less * d.roller_starts + 1, d.roller_starts);
   if (d.starts && (*d.starts < fewest || *d.starts > kStartsLimit))
-    throw CaseError("starts", fmt::format("got {}; expected {} to {}: the rollers' diameter is that of the "
-                                          "screw over {}",
-                                          *d.starts, fewest, kStartsLimit, is_standard(d) ? "starts - 2" : "starts"));
+    throw CaseError("starts", fmt::format("got {}; expected {} to {}{}", *d.starts, fewest, kStartsLimit,
+                                          contact::is_grooved(d.type) ? ""
+                                          : less > 0 ? ": the rollers' diameter is that of the screw over starts - 2"
+                                                     : ": the rollers' diameter is that of the screw over starts"));
+}
+
+/// Rollers of a screw without helix may have any diameter with which they roll.
+void check_roller_diameter(const ScrewData& d, int starts) {
+  if (!d.roller_diameter) return;
+  if (!contact::is_grooved(d.type))
+    throw CaseError(
+        "roller_diameter",
+        fmt::format("got {}; expected none: those of this type follow from the starts, {}", mm(*d.roller_diameter),
+                    mm(rolling_diameter(d.type, d.screw_diameter, {starts, d.roller_starts}))));
+  ScrewData by_rule = d;
+  by_rule.roller_diameter.reset();
+  if (rolls(by_rule, starts) && !rolls(d, starts))
+    throw CaseError("roller_diameter",
+                    fmt::format("got {}; nothing rolls with it: {}; take one nearer to {}", mm(*d.roller_diameter),
+                                threads_for(d, starts).reason, mm(roller_diameter(by_rule, starts))));
 }
 
 /// Checks that an arc, which becomes parallel to the axis r (1 - sin(flank angle)) above the pitch line, is high
@@ -400,6 +450,7 @@ Threads sound_threads(const ScrewData& d) {
   check_starts(d);
   const int starts = d.starts.value_or(usual_starts(d));
   check_profile_radius(d, starts);
+  check_roller_diameter(d, starts);
   Threads t = threads_for(d, starts);
   if (t.contacts) return t;
   ScrewData by_rule = d;
@@ -417,20 +468,20 @@ Threads sound_threads(const ScrewData& d) {
 
 void set_rollers(const ScrewData& d, Threads& t) {
   if (!d.rollers) return;
-  if (*d.rollers < kFewestRollers || *d.rollers > t.most_rollers)
+  if (*d.rollers < fewest_rollers(d.type) || *d.rollers > t.most_rollers)
     throw CaseError("rollers", fmt::format("got {}; expected {} to {}: fewer cannot centre the screw, more "
                                            "overlap",
-                                           *d.rollers, kFewestRollers, t.most_rollers));
+                                           *d.rollers, fewest_rollers(d.type), t.most_rollers));
   t.mechanism.rollers = *d.rollers;
 }
 
 double nut_length(const ScrewData& d, double pitch, double roller_diameter, double nut_diameter) {
   const double least = kFewestContacts * pitch / kThreadedShare,
-               most = is_standard(d) ? kMostContacts * pitch / kThreadedShare : kThickestNut * nut_diameter;
+               most = on_nut(d) ? kMostContacts * pitch / kThreadedShare : kThickestNut * nut_diameter;
   if (!d.nut_length) {
-    const double rule = is_standard(d) ? std::min(kNutLengthSlope * nut_diameter + kNutLengthOffset,
-                                                  kSlendernessOfRollers * roller_diameter / kThreadedShare)
-                                       : kInvertedNut * kInvertedThreads * d.screw_diameter;
+    const double rule = on_nut(d) ? std::min(kNutLengthSlope * nut_diameter + kNutLengthOffset,
+                                             kSlendernessOfRollers * roller_diameter / kThreadedShare)
+                                  : kInvertedNut * kInvertedThreads * d.screw_diameter;
     return std::max(whole(rule), up(least));
   }
   if (*d.nut_length < least || *d.nut_length > most)
@@ -462,7 +513,8 @@ double edge_force(const Mechanism& m, const Contacts& contacts) {
     const InterfaceContact& c = contacts.interfaces[i];
     const contact::FlankEdge edge = contact::nearest_flank_edge(
         pair_of(contacts.threads, i), c.geometry, c.hertz.semi_major_per_cbrt_load, c.hertz.semi_minor_per_cbrt_load);
-    force = std::min(force, std::pow(edge.scale, 3) * std::cos(c.normal_angle()) * m.contacts_per_roller * m.rollers);
+    force = std::min(force,
+                     std::pow(edge.scale, 3) * std::cos(c.normal_angle()) * m.contacts_per_roller * loaded_rollers(m));
   }
   return force;
 }
@@ -484,7 +536,7 @@ Structure structure_of(const ScrewData& d, const Mechanism& m, double nut_diamet
   const double roller = roller_diameter(d, m.starts.screw);
   const double threaded = m.contacts_per_roller * axial_pitch(m);
   Structure s;
-  s.roller.end_length = is_standard(d) ? 0.5 * kRollerEndsShare * (length - threaded) : 0.7 * roller;
+  s.roller.end_length = on_nut(d) ? 0.5 * kRollerEndsShare * (length - threaded) : 0.7 * roller;
   s.roller.end_diameter = kRollerEndDiameter * roller;
   s.nut.length = length;
   s.nut.outer_diameter = nut_outer_diameter(d, m, nut_diameter);
@@ -514,7 +566,7 @@ double moderate_force(const Mechanism& m, const Contacts& contacts) {
     const InterfaceContact& contact = contacts.interfaces[i];
     const double pressure_of_1_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
     const double normal_load = std::pow(kModeratePressure / pressure_of_1_newton, 3);
-    force = std::min(force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * m.rollers);
+    force = std::min(force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * loaded_rollers(m));
   }
   return force;
 }
@@ -533,16 +585,16 @@ CompleteScrew complete_screw(const ScrewData& d) {
   screw.most_rollers = threads.most_rollers;
   const double length = nut_length(d, pitch, screw.pitch_diameter.roller, screw.pitch_diameter.nut);
   m.contacts_per_roller = contacts_over(kThreadedShare * length, pitch);
-  if (!is_standard(d))
+  if (!on_nut(d))
     m.contacts_per_roller = std::min(m.contacts_per_roller, contacts_over(kInvertedThreads * d.screw_diameter, pitch));
   screw.position = 0.5 * (length - (m.contacts_per_roller - 1) * pitch);
-  screw.gears = gear_pairs(m.type, m.starts, screw.centre_distance, m.rollers, 0.5 * pitch);
+  screw.gears = gear_pairs(m, screw.centre_distance, 0.5 * pitch);
   screw.load = load_of(d, m, contacts);
   constexpr double one_rpm = std::numbers::pi / 30.0;
   screw.speed =
       d.speed.value_or(one_rpm * proposed(kSpeedShare * kGreatestSpeedTimesDiameter / d.screw_diameter / one_rpm));
   screw.c.structure = structure_of(d, m, screw.pitch_diameter.nut, length);
-  screw.c.structure->screw.free_length = is_standard(d) ? screw.position : screw.c.structure->roller.end_length;
+  screw.c.structure->screw.free_length = on_nut(d) ? screw.position : screw.c.structure->roller.end_length;
   screw.c.materials = Materials{kSteel, kSteel, kSteel};
   screw.c.mechanism = m;
   return screw;
@@ -551,7 +603,7 @@ CompleteScrew complete_screw(const ScrewData& d) {
 Heat::Conductance estimated_conductance(const CompleteScrew& s, double shaft_length) {
   const Contacts contacts = find_contacts(s.c.mechanism, s.c.materials);
   const Mechanism& m = contacts.mechanism;
-  const double count = static_cast<double>(m.rollers) * m.contacts_per_roller;
+  const double count = static_cast<double>(loaded_rollers(m)) * m.contacts_per_roller;
   const auto spots = [&](Interface i) {
     const InterfaceContact& contact = contacts.interfaces[i];
     const contact::HertzContact e = contact::at_load(contact.hertz, s.load / count / std::cos(contact.normal_angle()));

@@ -46,8 +46,10 @@ bool go_in_alike(Mechanism::Starts starts, int rollers);
 /// rollers, in ring gears on the nut (standard) or on gears of the screw (inverted). 20 deg basic
 /// rack of full depth.
 struct GearPair {
-  int roller_teeth = 0;                 ///< z_R, a multiple k n_R of the roller's starts.
-  int body_teeth = 0;                   ///< z_N or z_S, k n_S: the ratio of the leads exactly.
+  int roller_teeth = 0;  ///< z_R, a multiple k n_R of the roller's starts.
+  int body_teeth = 0;    ///< z_N or z_S, k n_S: the ratio of the leads exactly.
+  /// Axial way of a roller's thread, p n_R/z_R, if it goes in one tooth off its place [m].
+  double tooth_misfit = 0.0;
   double module = 0.0;                  ///< m [m]
   int series = 1;                       ///< Series; 1 is preferred to 2.
   double working_pressure_angle = 0.0;  ///< alpha_w at the centre distance of the threads [rad].
@@ -65,22 +67,22 @@ struct GearPair {
 ///
 /// Modules of ISO 54, below 1 mm of DIN 780-1, from 0.2 to 10 mm. Pinions of 12 to 40 teeth (below 18, x_R >= 1 - z_R
 /// sin(20 deg)^2/2 avoids undercut); profile shifts up to 1, half a module for either gear. `gap` [m] is kept free
-/// between the tips of neighbours, m above the operating pitch circle; `rollers` is the number for which the threads
-/// have space. Strength is not checked, nor whether the teeth are higher than the threads.
+/// between the tips of neighbours, m above the operating pitch circle. Strength is not checked, nor whether the teeth
+/// are higher than the threads. None of rollers with grooves.
 ///
 /// The pairs that allow most rollers come first, then those of series 1, then those of least shift, to a tenth of the
 /// module, and of fewest teeth.
-std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts, double centre_distance, int rollers,
-                                 double gap);
+std::vector<GearPair> gear_pairs(const Mechanism& m, double centre_distance, double gap);
 
 /// Data of a mechanism before it is designed. SI units.
 struct ConfigurationQuery {
-  double screw_diameter = 0.0;                   ///< Pitch diameter [m], > 0.
+  double screw_diameter = 0.0;                   ///< Pitch diameter [m], > 0 without a nut's diameter.
+  std::optional<double> nut_diameter = {};       ///< Outer diameter of the nut, from which the screw's follows [m].
   double lead = 0.0;                             ///< Lead [m], not 0; > 0 right-handed.
   double flank_angle = 0.25 * std::numbers::pi;  ///< alpha_n of all parts [rad].
-  std::optional<Mechanism::Type> type;           ///< Absent: both types.
-  std::optional<int> screw_starts;               ///< Absent: 3 to 10.
-  std::optional<int> roller_starts;              ///< Absent: 1 to 3.
+  std::optional<Mechanism::Type> type;           ///< Absent: all types.
+  std::optional<int> screw_starts;               ///< Absent: those usual for the type.
+  std::optional<int> roller_starts;              ///< Absent: 1 to 3; 0 of rollers with grooves.
   std::optional<int> rollers;                    ///< Absent: as many as fit.
   double gap = 0.0;                              ///< Smallest gap between the crests of neighbouring rollers [m].
   std::optional<double> roller_profile_radius;   ///< r_BR [m]; absent: arcs about the axis.
@@ -96,15 +98,19 @@ struct Configuration {
   /// Pitch diameters for no backlash [m]: the screw's is corrected in a standard mechanism, the
   /// nut's in an inverted one.
   PerPart<double> pitch_diameter;
-  double centre_distance = 0.0;  ///< c [m], for no backlash.
-  double gear_ratio = 0.0;       ///< Gamma = n_R/n_S = d_R/d_N or d_R/d_S (2.1).
-  PerPart<double> lead;          ///< Lead, < 0 left-handed [m].
-  PerPart<double> helix_angle;   ///< Helix angle with the sign of the lead [rad].
-  int most_rollers = 0;          ///< Largest number of rollers that fit with the gap; any smaller number meshes.
-  double crest_gap = 0.0;        ///< Gap between neighbours with mechanism.rollers [m].
-  double moderate_force = 0.0;   ///< Axial force for `kModeratePressure` with equal shares [N].
-  std::vector<int> alike;        ///< Numbers of rollers that can all be assembled at one angle.
-  std::vector<GearPair> gears;   ///< Gears, most suitable first.
+  double centre_distance = 0.0;        ///< c [m], for no backlash.
+  double gear_ratio = 0.0;             ///< Gamma = n_R/n_S = d_R/d_N or d_R/d_S (2.1).
+  PerPart<double> lead;                ///< Lead, < 0 left-handed [m].
+  PerPart<double> helix_angle;         ///< Helix angle with the sign of the lead [rad].
+  int most_rollers = 0;                ///< Largest number of rollers that fit with the gap; any smaller number meshes.
+  double crest_gap = 0.0;              ///< Gap between neighbours with mechanism.rollers [m].
+  std::optional<double> nut_diameter;  ///< Outer diameter of the nut, if it was asked for [m].
+  double outer_diameter = 0.0;         ///< Outer diameter of the nut of the written case [m].
+  double dynamic_capacity = 0.0;       ///< Lemor's C_a of the written case [N].
+  double greatest_speed = 0.0;  ///< Speed of screw against nut at the makers' limit of speed times diameter [rad/s].
+  double moderate_force = 0.0;  ///< Axial force for `kModeratePressure` with equal shares [N].
+  std::vector<int> alike;       ///< Numbers of rollers that can all be assembled at one angle.
+  std::vector<GearPair> gears;  ///< Gears, most suitable first.
 };
 
 /// Starts that give no consistent mechanism, and the reason.
@@ -116,13 +122,13 @@ struct LeftOut {
 };
 
 struct Configurations {
-  std::vector<Configuration> found;  ///< Standard before inverted, then by starts.
+  std::vector<Configuration> found;  ///< By type, then by starts.
   std::vector<LeftOut> left_out;
 };
 
 /// Every combination of starts that gives a consistent mechanism: rollers no thicker than the screw, at least three of
 /// them (or the requested number) with the gap between their crests, point contact at both interfaces with no backlash,
-/// and no warning of `prs check`.
+/// no warning of `prs check`, and a case that `configuration_case` can write.
 Configurations configurations(const ConfigurationQuery& query);
 
 /// Data of a screw before there is a case, mainly from catalogues. SI units; absent values follow by rule.
@@ -131,13 +137,14 @@ struct ScrewData {
   double screw_diameter = 0.0;                   ///< Nominal diameter, the pitch diameter d [m], > 0.
   double lead = 0.0;                             ///< l of screw and nut [m]; < 0 left-handed.
   std::optional<int> starts = {};                ///< n of screw and nut.
-  int roller_starts = 1;                         ///< n_R
+  int roller_starts = 1;                         ///< n_R; not used for rollers with grooves.
   double flank_angle = 0.25 * std::numbers::pi;  ///< Flank angle of all parts [rad].
   std::optional<double> nut_diameter = {};       ///< D, outer diameter of a plain cylinder [m].
   /// L [m] of the whole nut; for an inverted screw of the tube in which the rollers travel.
   std::optional<double> nut_length = {};
   std::optional<int> rollers = {};
   std::optional<double> roller_profile_radius = {};  ///< r_B of the roller's convex flanks [m].
+  std::optional<double> roller_diameter = {};        ///< Pitch diameter of rollers with grooves [m].
   std::optional<double> load = {};                   ///< Axial load [N], > 0.
   std::optional<double> speed = {};                  ///< Speed of screw against nut [rad/s], > 0.
   /// Numbers as the user wrote them, by the names of these members: `lead` -> `1/2 in`.
@@ -214,6 +221,7 @@ double moderate_force(const Mechanism& m, const Contacts& contacts);
 /// Completes a screw:
 ///
 ///     standard d_R = d/(n/n_R - 2), inverted d_R = d n_R/n,  d_N = d + 2 d_R     (1.52), (1.53)
+///     rollers with grooves: d_R of a standard screw of three starts, n = 1, one of them unloaded
 ///     n: the largest of 5, 4, 3 whose rollers are 4 mm or thicker; p = |l|/n
 ///     rollers: as many as fit with half a pitch between their crests
 ///     contacts: over 0.68 L, inverted over 1.6 d but no more than that; in the middle of the nut
@@ -263,6 +271,9 @@ CompleteScrew as_written(CompleteScrew screw);
 
 /// Lemor's capacity, which `prs life` needs [N]. Throws CaseError if the ratio of diameters is outside of it.
 double required_capacity(const CompleteScrew& screw);
+
+/// Data of the screw of a line of `prs configurations`.
+ScrewData data_of(const Configuration& c);
 
 /// A line of `prs configurations` as a commented case.
 std::string configuration_case(const Configuration& c);

@@ -14,7 +14,7 @@ Record<GearPair> record_of(Type<GearPair>);
 
 namespace {
 
-constexpr std::string_view kTypes = "standard | inverted";
+constexpr std::string_view kTypes = "standard | inverted | recirculating";
 
 constexpr Quantity<Mechanism::Starts> kStarts[] = {
     {"screw", always<&Mechanism::Starts::screw>},
@@ -24,12 +24,26 @@ constexpr Quantity<Mechanism::Starts> kStarts[] = {
 template <auto get>
 constexpr auto its_mechanism = [](const Configuration& c) { return std::invoke(get, c.mechanism); };
 
+std::optional<double> indexing(const Mechanism& m) {
+  if (m.starts.roller == 0) return std::nullopt;
+  return indexing_angle(m.type, m.starts, m.rollers);
+}
+
+std::vector<double> indexing_of_all(const Mechanism& m) {
+  std::vector<double> all;
+  for (int k = 0; m.starts.roller > 0 && k < m.rollers; ++k)
+    all.push_back(indexing_angle(m.type, {m.starts.screw * k, m.starts.roller}, m.rollers));
+  return all;
+}
+
 constexpr Quantity<Configuration> kRollers[] = {
     {"most", always<&Configuration::most_rollers>, "that fit with the gap"},
     {"chosen", always<its_mechanism<&Mechanism::rollers>>},
     {"crest_gap_mm", of<&Configuration::crest_gap>, "between neighbours"},
-    {"indexing_angle_deg", of<its_mechanism<[](auto& m) { return indexing_angle(m.type, m.starts, m.rollers); }>>,
-     "by which each is turned against its neighbour"},
+    {"unloaded", always<its_mechanism<[](auto& m) { return m.rollers - loaded_rollers(m); }>>, "that carry nothing"},
+    {"indexing_angle_deg", of<its_mechanism<indexing>>, "by which each is turned against its neighbour"},
+    {"indexing_angles_deg", of<its_mechanism<indexing_of_all>>,
+     "of each roller against the carrier, the first one at 0"},
     {"alike", always<&Configuration::alike>, "numbers of rollers that all go in turned the same way"},
 };
 
@@ -41,13 +55,23 @@ constexpr Quantity<GearPair> kGears[] = {
     {"working_pressure_angle_deg", of<&GearPair::working_pressure_angle>},
     {"profile_shift", of<&GearPair::profile_shift>},
     {"most_rollers", of<&GearPair::most_rollers>},
+    {"tooth_misfit_mm", of<&GearPair::tooth_misfit>,
+     "along the axis, of the threads of a roller that goes in one tooth off"},
 };
+
+double travel_speed(const Configuration& c) {
+  return c.greatest_speed * std::abs(c.mechanism.lead) / (2.0 * std::numbers::pi);
+}
+
+const char* hand(const Configuration& c) {
+  return c.lead.roller > 0.0 ? "right" : c.lead.roller < 0.0 ? "left" : "none";
+}
 
 using Numbered = Within<Configurations, Configuration>;
 
 constexpr Quantity<Numbered> kConfiguration[] = {
     {"number", always<[](auto& c) { return c.item - c.whole->found.data() + 1; }>, "what `--write` takes"},
-    {"type", always<[](auto& c) { return type_name(c.item->mechanism.type); }>, kTypes},
+    {"type", always<[](auto& c) { return contact::facts_of(c.item->mechanism.type).name; }>, kTypes},
     {"starts", always_table<kStarts, its<its_mechanism<&Mechanism::starts>>>},
     {"pitch_mm", of<its<its_mechanism<axial_pitch>>>},
     {"rolling_diameter_mm", of<its<&Configuration::rolling_diameter>>},
@@ -56,14 +80,18 @@ constexpr Quantity<Numbered> kConfiguration[] = {
     {"gear_ratio", of<its<&Configuration::gear_ratio>>},
     {"lead_mm", of<its<&Configuration::lead>>},
     {"helix_angle_deg", of<its<&Configuration::helix_angle>>},
-    {"roller_hand", of<[](auto& c) { return (c.item->lead.roller > 0.0) ? "right" : "left"; }>, "right | left"},
+    {"roller_hand", of<[](auto& c) { return hand(*c.item); }>, "right | left | none"},
     {"roller_profile_radius_mm", of<its<its_mechanism<[](auto& m) { return m.profile.roller.radius; }>>>},
     {"rollers", always_table<kRollers, its<std::identity{}>>},
     {"gears", always_table<kGears, its<&Configuration::gears>>, "the most suitable first"},
+    {"nut_outer_diameter_mm", of<its<&Configuration::outer_diameter>>, "of the written case"},
+    {"dynamic_capacity_kN", of<its<&Configuration::dynamic_capacity>>, "Lemor's, of the written case"},
+    {"greatest_speed_rpm", of<its<&Configuration::greatest_speed>>, "with 150,000 mm/min over the screw's diameter"},
+    {"greatest_travel_mm_per_s", of<its<travel_speed>>, "along the axis at that speed"},
 };
 
 constexpr Quantity<LeftOut> kLeftOut[] = {
-    {"type", always<[](auto& l) { return type_name(l.type); }>, kTypes},
+    {"type", always<[](auto& l) { return contact::facts_of(l.type).name; }>, kTypes},
     {"starts", always_table<kStarts, &LeftOut::starts>},
     {"reason", always<&LeftOut::reason>},
     {"detail", filled<&LeftOut::detail>},
@@ -99,7 +127,7 @@ struct Column {
 };
 
 constexpr Column kColumns[] = {
-    {"  type", "", 12, [](Found c) { return fmt::format("  {}", type_name(c.mechanism.type)); }, true},
+    {"  type", "", 12, [](Found c) { return fmt::format("  {}", contact::facts_of(c.mechanism.type).name); }, true},
     {"starts", "S/R", 6,
      [](Found c) { return fmt::format("{}/{}", c.mechanism.starts.screw, c.mechanism.starts.roller); }},
     {"pitch", "mm", 7, [](Found c) { return millimetres(axial_pitch(c.mechanism)); }},
@@ -107,24 +135,42 @@ constexpr Column kColumns[] = {
     {"roller", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.roller); }},
     {"nut", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.nut); }},
     {"centres", "mm", 8, [](Found c) { return millimetres(c.centre_distance); }},
-    {"hand", "roller", 7, [](Found c) { return std::string(c.lead.roller > 0.0 ? "right" : "left"); }},
+    {"hand", "roller", 7, [](Found c) { return std::string(hand(c)); }},
     {"rollers", "≤", 8, [](Found c) { return std::to_string(c.most_rollers); }},
     {"one", "angle", 7,
      [](Found c) { return c.alike.empty() ? std::string(kAbsent) : fmt::format("{}", fmt::join(c.alike, " ")); }},
     {"gears", "teeth, module/mm", 18, gears_cell}};
 
+/// Columns of a comparison at one diameter of the nut.
+constexpr Column kComparison[] = {
+    kColumns[0],
+    kColumns[1],
+    kColumns[3],
+    kColumns[4],
+    {"rollers", "", 8, [](Found c) { return std::to_string(c.mechanism.rollers); }},
+    {"C_a", "kN", 8, [](Found c) { return fixed(c.dynamic_capacity, "kN", 1); }},
+    {"speed", "rpm", 7, [](Found c) { return fixed(c.greatest_speed, "rpm", 0); }},
+    {"travel", "mm/s", 8, [](Found c) { return fixed(travel_speed(c), "mm/s", 0); }},
+    {"gears", "teeth, module/mm", 18, gears_cell},
+    {"misfit", "mm", 8,
+     [](Found c) { return c.gears.empty() ? std::string(kAbsent) : millimetres(c.gears.front().tooth_misfit); }},
+    {"turn", "deg", 9, [](Found c) {
+       const std::optional<double> angle = indexing(c.mechanism);
+       return angle ? fixed(*angle, "deg", 3) : std::string(kAbsent);
+     }}};
+
 /// A number and the cells after it.
-std::string line(std::string text, const auto& cell) {
+std::string line(std::span<const Column> columns, std::string text, const auto& cell) {
   text = padded(text, 3, false);
-  for (const Column& column : kColumns) text += padded(cell(column), column.width, column.left_aligned);
+  for (const Column& column : columns) text += padded(cell(column), column.width, column.left_aligned);
   return ended(text);
 }
 
 std::string heading(const ConfigurationQuery& q) {
   const auto length = [](double si) { return fmt::format("{:.6g} {}", shown(si, "mm"), table_unit("mm").text); };
-  return fmt::format("Screw {}, lead {}, flanks {}, no backlash, crests of neighbours {} apart or more\n\n",
-                     length(q.screw_diameter), length(q.lead),
-                     input::format_quantity(q.flank_angle, input::unit::angle), length(q.gap));
+  return fmt::format("{} {}, lead {}, flanks {}, no backlash, crests of neighbours {} apart or more\n\n",
+                     q.nut_diameter ? "Nut" : "Screw", length(q.nut_diameter.value_or(q.screw_diameter)),
+                     length(q.lead), input::format_quantity(q.flank_angle, input::unit::angle), length(q.gap));
 }
 
 }  // namespace
@@ -132,8 +178,6 @@ std::string heading(const ConfigurationQuery& q) {
 PRS_RECORD(GearPair, "GearPair", "Gears that fit the centre distance.", kGears);
 PRS_RECORD(Configurations, "Configurations", "Starts that give a sound mechanism, and those that do not.",
            kConfigurations);
-
-std::string_view type_name(Mechanism::Type type) { return type == Mechanism::Type::standard ? "standard" : "inverted"; }
 
 nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info) {
   nlohmann::ordered_json document = document_head(info, {});
@@ -145,11 +189,11 @@ std::string left_out_text(const Configurations& all) {
   const bool with_details = all.left_out.size() <= kMostDetails;
   std::vector<std::pair<std::string, std::string>> reasons;  // Reason, starts concerned.
   for (const LeftOut& left_out : all.left_out) {
-    std::string key = fmt::format("{}: {}", type_name(left_out.type), left_out.reason);
+    std::string key = fmt::format("{}: {}", contact::facts_of(left_out.type).name, left_out.reason);
     if (with_details && !left_out.detail.empty()) key += fmt::format(" ({})", left_out.detail);
     auto known = std::ranges::find(reasons, key, &std::pair<std::string, std::string>::first);
     if (known == reasons.end()) {
-      reasons.emplace_back(key, std::string(type_name(left_out.type)));
+      reasons.emplace_back(key, std::string(contact::facts_of(left_out.type).name));
       known = reasons.end() - 1;
     }
     known->second += fmt::format(" {}/{}", left_out.starts.screw, left_out.starts.roller);
@@ -161,11 +205,19 @@ std::string left_out_text(const Configurations& all) {
 
 std::string configurations_table(const ConfigurationQuery& query, const Configurations& all) {
   std::string text = heading(query);
-  text += line("#", [](const Column& column) { return column.title; });
-  text += line("", [](const Column& column) { return with_table_unit(column.subtitle); });
+  const std::span<const Column> columns =
+      query.nut_diameter ? std::span<const Column>(kComparison) : std::span<const Column>(kColumns);
+  text += line(columns, "#", [](const Column& column) { return column.title; });
+  text += line(columns, "", [](const Column& column) { return with_table_unit(column.subtitle); });
   for (std::size_t k = 0; k < all.found.size(); ++k)
-    text += line(std::to_string(k + 1), [&](const Column& column) { return column.cell(all.found[k]); });
+    text += line(columns, std::to_string(k + 1), [&](const Column& column) { return column.cell(all.found[k]); });
   text += "\n";
+  if (query.nut_diameter)
+    text += wrapped(
+        "C_a is Lemor's, of the case that `--write` gives, speed that of the makers' limit of 150,000 mm/min over the "
+        "screw's diameter. Misfit: way along the axis by which the threads of a roller are off if it goes in one tooth "
+        "beside its place. Turn: of each roller against the one before; the document has that of each. ",
+        "", kTableWidth);
   text += wrapped(
       "Every number of rollers up to the one given meshes at equal spacing; with those of `one "
       "angle` "
@@ -182,18 +234,20 @@ std::string configurations_csv(const Configurations& all, const CsvStyle& style)
           "roller_rolling_diameter_mm", "nut_rolling_diameter_mm", "screw_pitch_diameter_mm",
           "roller_pitch_diameter_mm", "nut_pitch_diameter_mm", "centre_distance_mm", "gear_ratio", "lead_mm",
           "roller_lead_mm", "screw_helix_angle_deg", "roller_helix_angle_deg", "nut_helix_angle_deg", "most_rollers",
-          "rollers", "crest_gap_mm", "indexing_angle_deg", "alike");
+          "rollers", "crest_gap_mm", "indexing_angle_deg", "alike", "nut_outer_diameter_mm", "dynamic_capacity_kN",
+          "greatest_speed_rpm", "greatest_travel_mm_per_s");
   constexpr double mm = "mm"_per_si, degree = "deg"_per_si;
   for (std::size_t k = 0; k < all.found.size(); ++k) {
     const Configuration& c = all.found[k];
     const Mechanism& m = c.mechanism;
-    csv.fields(k + 1, type_name(m.type), m.starts.screw, m.starts.roller, axial_pitch(m) * mm);
+    csv.fields(k + 1, contact::facts_of(m.type).name, m.starts.screw, m.starts.roller, axial_pitch(m) * mm);
     for (const auto* diameter : {&c.rolling_diameter, &c.pitch_diameter})
       for (const Part p : kParts) csv.number((*diameter)[p], mm);
     csv.fields(c.centre_distance * mm, c.gear_ratio, c.lead.screw * mm, c.lead.roller * mm);
     for (const Part p : kParts) csv.number(c.helix_angle[p], degree);
-    csv.row(c.most_rollers, m.rollers, scaled(c.crest_gap, mm),
-            scaled(indexing_angle(m.type, m.starts, m.rollers), degree), fmt::format("{}", fmt::join(c.alike, " ")));
+    csv.row(c.most_rollers, m.rollers, scaled(c.crest_gap, mm), scaled(indexing(m), degree),
+            fmt::format("{}", fmt::join(c.alike, " ")), c.outer_diameter * mm, c.dynamic_capacity * "kN"_per_si,
+            c.greatest_speed * "rpm"_per_si, travel_speed(c) * "mm/s"_per_si);
   }
   return csv.take();
 }

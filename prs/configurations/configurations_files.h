@@ -11,9 +11,6 @@ nlohmann::ordered_json configurations_json(const Configurations& all, const Docu
 
 Record<Configurations> record_of(Type<Configurations>);
 
-/// `standard` or `inverted`.
-std::string_view type_name(Mechanism::Type type);
-
 /// The configurations, one numbered line each, then the reasons for omitted ones, within 110 columns.
 std::string configurations_table(const ConfigurationQuery& query, const Configurations& all);
 

@@ -6,6 +6,7 @@
 #include "prs/input/did_you_mean.h"
 #include "prs/input/units.h"
 #include "prs/model/quantity_text.h"
+#include "prs/record/record_table.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -23,6 +24,8 @@ struct QuantityOption {
 const QuantityOption kQuantities[] = {
     {"--nut-diameter", &NewOptions::nut_diameter, &ScrewData::nut_diameter, input::unit::length, "nut diameter"},
     {"--nut-length", &NewOptions::nut_length, &ScrewData::nut_length, input::unit::length, "nut length"},
+    {"--roller-diameter", &NewOptions::roller_diameter, &ScrewData::roller_diameter, input::unit::length,
+     "roller diameter"},
     {"--roller-profile-radius", &NewOptions::roller_profile_radius, &ScrewData::roller_profile_radius,
      input::unit::length, "profile radius"},
     {"--load", &NewOptions::load, &ScrewData::load, input::unit::force, "load"},
@@ -31,6 +34,7 @@ const QuantityOption kQuantities[] = {
 
 /// Screws of the examples that the command writes without options.
 ScrewData example(Mechanism::Type type) {
+  if (contact::is_grooved(type)) return {.type = type, .screw_diameter = 20e-3, .lead = 2e-3};
   if (type == Mechanism::Type::standard)
     return {
         .type = type, .screw_diameter = 30e-3, .lead = 10e-3, .starts = 5, .nut_diameter = 64e-3, .nut_length = 85e-3};
@@ -109,20 +113,23 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   return l;
 }
 
-/// Refuses a text other than one of two names.
-void check_name(const char* option, const std::string& text, const char* first, const char* second) {
-  if (text != first && text != second)
-    throw CaseError(option, fmt::format("got {}; expected {} or {}", input::shown(text), first, second));
-}
-
-ModelOptions::Mechanism mechanism_of(const NewOptions& o) {
-  if (o.mechanism) check_name("--mechanism", *o.mechanism, "sector", "full");
+ModelOptions::Mechanism mechanism_of(const NewOptions& o, Mechanism::Type type) {
+  if (o.mechanism && *o.mechanism != "sector" && *o.mechanism != "full")
+    throw CaseError("--mechanism", fmt::format("got {}; expected sector or full", input::shown(*o.mechanism)));
+  if (o.mechanism == "full" && contact::is_grooved(type))
+    throw CaseError("--mechanism", fmt::format("got full; expected sector of a {} screw, all rollers of which are not "
+                                               "modelled; leave it out",
+                                               contact::facts_of(type).name));
   return o.mechanism == "full" ? ModelOptions::Mechanism::full : ModelOptions::Mechanism::sector;
 }
 
 Mechanism::Type type_of(const NewOptions& o) {
-  if (!o.type.empty()) check_name("--type", o.type, "standard", "inverted");
-  return o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
+  if (o.type.empty()) return Mechanism::Type::inverted;
+  const std::optional<Mechanism::Type> type = contact::type_named(o.type);
+  if (!type)
+    throw CaseError("--type",
+                    fmt::format("got {}; expected standard, inverted or recirculating", input::shown(o.type)));
+  return *type;
 }
 
 /// Whether the screw is described; otherwise an example is used.
@@ -169,8 +176,10 @@ std::string assumptions(const NewOptions& o) {
   std::vector<std::string> assumed;
   if (!o.starts) assumed.emplace_back("starts");
   if (!o.rollers) assumed.emplace_back("rollers");
+  const bool grooved = contact::is_grooved(type_of(o));
   for (const QuantityOption& q : kQuantities)
-    if (!(o.*q.text)) assumed.emplace_back(q.meaning);
+    if (!(o.*q.text) && (grooved || q.value != &ScrewData::roller_diameter)) assumed.emplace_back(q.meaning);
+  if (grooved) assumed.emplace_back("one unloaded roller");
   if (!o.lubricant) assumed.emplace_back("lubricant");
   return assumed.empty() ? "" : fmt::format("assumed in it: {}", fmt::join(assumed, ", "));
 }
@@ -188,8 +197,8 @@ std::string new_case_text(const NewOptions& o) {
                                          "An example: replace what is marked `given`, or write a case of your "
                                          "screw with `prs new {} FILE --screw-diameter \"{}\" --lead \"{}\"` and "
                                          "what else is known of it.",
-                                         type_name(type), mm(data.screw_diameter), mm(data.lead));
-    return screw_case(complete_screw(data), lubricant, origin, mechanism_of(o));
+                                         contact::facts_of(type).name, mm(data.screw_diameter), mm(data.lead));
+    return screw_case(complete_screw(data), lubricant, origin, mechanism_of(o, type));
   } catch (const CaseError& error) {
     if (error.path().starts_with("--")) throw;
     throw CaseError(option_of(error.path()), error.what());

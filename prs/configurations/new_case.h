@@ -9,7 +9,7 @@ namespace prs {
 struct NewOptions {
   std::string type, file;  ///< If `lesson` is given, `type` may hold the file.
   std::optional<std::string> lesson;
-  std::optional<std::string> screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius;
+  std::optional<std::string> screw_diameter, lead, nut_diameter, nut_length, roller_diameter, roller_profile_radius;
   std::optional<std::string> load, speed, lubricant, temperature, mechanism;
   std::optional<int> starts, rollers;
 };

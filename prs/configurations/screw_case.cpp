@@ -54,6 +54,9 @@ std::string length_text(const ScrewData& d, const std::string& member, const std
 }
 std::string diameter_text(const ScrewData& d) { return written_or(d, "screw_diameter", exact(d.screw_diameter)); }
 std::string lead_text(const ScrewData& d) { return written_or(d, "lead", exact(d.lead)); }
+std::string roller_diameter_text(const CompleteScrew& s) {
+  return length_text(s.data, "roller_diameter", s.data.roller_diameter, *s.c.mechanism.pitch_diameter.roller);
+}
 std::string load_text(const CompleteScrew& s) { return written_or(s.data, "load", kilonewton(s.load)); }
 /// Speed with which the screw drives a load in tension or in compression. For a speed along the axis the hand of the
 /// thread does not matter.
@@ -65,14 +68,15 @@ std::string speed_text(const CompleteScrew& s, Direction direction) {
 
 using ModelOf = ModelOptions::Mechanism;
 
-bool is_standard(const CompleteScrew& s) { return s.data.type == Mechanism::Type::standard; }
+bool on_nut(const CompleteScrew& s) { return carrier_part(s.data.type) == Part::nut; }
+bool is_grooved(const CompleteScrew& s) { return contact::is_grooved(s.data.type); }
 
 std::string case_heading(const CompleteScrew& s, const std::string& origin) {
   const Mechanism& m = s.c.mechanism;
-  const bool standard = is_standard(s);
-  const bool right_handed = standard == (m.lead > 0.0);
+  const bool right_handed = on_nut(s) == (m.lead > 0.0);
+  const std::string_view type = contact::facts_of(m.type).name;
   std::string text =
-      case_remark(fmt::format("{} planetary roller screw, {} x {}.", standard ? "A standard" : "An inverted",
+      case_remark(fmt::format("{} {} planetary roller screw, {} x {}.", type.starts_with('i') ? "An" : "A", type,
                               diameter_text(s.data), lead_text(s.data)));
   text += "#\n" + case_remark(origin);
   text += case_remark(
@@ -88,17 +92,24 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
       "#   prs measures FILE                capacities, weight, inertia, buckling, critical speed\n"
       "#   prs life FILE                    life under the loads of `life`\n"
       "#\n";
-  text += case_remark(fmt::format(
-      "Rollers of {}, {}-handed, keep their place on the {}, whose diameter is {:.6g} times "
-      "theirs. "
-      "Without backlash: nut {:.4f} mm, screw {:.4f} mm, centre distance {:.4f} mm. Up to {} "
-      "rollers "
-      "fit; any number of them meshes at equal spacing. From one place to the next a roller goes "
-      "in "
-      "turned by {:.6g} deg against the carrier, in the sense in which the places are counted.",
-      mm(s.pitch_diameter.roller), right_handed ? "right" : "left", standard ? "nut" : "screw",
-      static_cast<double>(m.starts.screw) / m.starts.roller, 1e3 * s.pitch_diameter.nut, 1e3 * s.pitch_diameter.screw,
-      1e3 * s.centre_distance, s.most_rollers, indexing_angle(m.type, m.starts, m.rollers) * 180.0 / std::numbers::pi));
+  const std::string without_play =
+      fmt::format("Without backlash: nut {:.4f} mm, screw {:.4f} mm, centre distance {:.4f} mm. Up to {} rollers fit; ",
+                  1e3 * s.pitch_diameter.nut, 1e3 * s.pitch_diameter.screw, 1e3 * s.centre_distance, s.most_rollers);
+  if (is_grooved(s))
+    return text + case_remark(fmt::format(
+                      "Rollers of {} with grooves, without helix and teeth, run along the nut by a lead per orbit and "
+                      "are led back in a recess. {}any number of them meets both threads at equal spacing, each {:.6g} "
+                      "mm further along the axis than the one before, to whole pitches.",
+                      mm(s.pitch_diameter.roller), without_play, 1e3 * m.lead / m.rollers));
+  text +=
+      case_remark(fmt::format("Rollers of {}, {}-handed, keep their place on the {}, whose diameter is {:.6g} times "
+                              "theirs. "
+                              "{}any number of them meshes at equal spacing. From one place to the next a roller goes "
+                              "in "
+                              "turned by {:.6g} deg against the carrier, in the sense in which the places are counted.",
+                              mm(s.pitch_diameter.roller), right_handed ? "right" : "left", name(carrier_part(m.type)),
+                              static_cast<double>(m.starts.screw) / m.starts.roller, without_play,
+                              indexing_angle(m.type, m.starts, m.rollers) * 180.0 / std::numbers::pi));
   if (s.gears.empty())
     text += case_remark("Gears: no pair of standard module fits; see `prs configurations`.");
   else
@@ -106,7 +117,7 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
         fmt::format("Gears: {} teeth on the rollers, {} {}, module {:.4g} mm, working pressure angle {:.2f} "
                     "deg, profile shifts {:+.2f} in all. `prs configurations` lists others.",
                     s.gears.front().roller_teeth, s.gears.front().body_teeth,
-                    standard ? "in the nut's rings" : "on the screw", s.gears.front().module * 1e3,
+                    on_nut(s) ? "in the nut's rings" : "on the screw", s.gears.front().module * 1e3,
                     s.gears.front().working_pressure_angle * 180.0 / std::numbers::pi, s.gears.front().profile_shift));
   return text;
 }
@@ -147,28 +158,37 @@ std::string thread_text(const CompleteScrew& s) {
 std::string mechanism_text(const CompleteScrew& s) {
   const Mechanism& m = s.c.mechanism;
   const ScrewData& d = s.data;
-  const std::string rule = is_standard(s) ? fmt::format("threads over {:g} of the nut's length", kThreadedShare)
-                                          : fmt::format(
-                                                "threads over {:g} screw diameters, as on a published "
-                                                "screw, but no more than {:g} of the nut's length",
-                                                kInvertedThreads, kThreadedShare);
+  const std::string rule = on_nut(s) ? fmt::format("threads over {:g} of the nut's length", kThreadedShare)
+                                     : fmt::format(
+                                           "threads over {:g} screw diameters, as on a published "
+                                           "screw, but no more than {:g} of the nut's length",
+                                           kInvertedThreads, kThreadedShare);
   return "\nmechanism:\n" +
-         case_line(fmt::format("  type: {}", type_name(m.type)),
-                   is_standard(s) ? "rollers keep their place on the nut; or inverted"
-                                  : "rollers keep their place on the screw; or standard") +
+         case_line(fmt::format("  type: {}", contact::facts_of(m.type).name),
+                   std::string(contact::facts_of(m.type).meaning)) +
          case_line("  geometry: design", "assumed: roller, nut and centre distance follow") +
          case_line(fmt::format("  lead: {}", lead_text(d)), "given; < 0 left-handed") +
          case_line(fmt::format("  starts: {{screw: {}, roller: {}}}", m.starts.screw, m.starts.roller),
-                   d.starts ? assumption(fmt::format("{{roller: {}}}", m.starts.roller),
-                                         "rollers with as few starts as mesh; the screw's are given, the nut "
-                                         "has as many")
-                            : fmt::format("assumed: of 5, 4, 3 the first whose rollers are {} or "
-                                          "thicker, as in makers' catalogues; the nut has the screw's",
-                                          mm(kThinnestRoller))) +
+                   is_grooved(s)
+                       ? d.starts ? assumption("{roller: 0}", "grooves; the screw's are given, the nut has as many")
+                                  : "assumed: one start, and grooves on the rollers; the nut has the screw's"
+                   : d.starts ? assumption(fmt::format("{{roller: {}}}", m.starts.roller),
+                                           "rollers with as few starts as mesh; the screw's are given, the nut "
+                                           "has as many")
+                              : fmt::format("assumed: of 5, 4, 3 the first whose rollers are {} or "
+                                            "thicker, as in makers' catalogues; the nut has the screw's",
+                                            mm(kThinnestRoller))) +
          case_line(fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
                    "assumed: as on nearly all screws; one value, or {screw: .., roller: .., nut: ..}") +
-         case_line(fmt::format("  pitch_diameter: {{screw: {}}}", diameter_text(d)),
-                   "given: weights in catalogues show that the nominal diameter is this one") +
+         (is_grooved(s)
+              ? case_line(fmt::format("  pitch_diameter: {{screw: {}, roller: {}}}", diameter_text(d),
+                                      roller_diameter_text(s)),
+                          d.roller_diameter ? "given"
+                                            : assumption(fmt::format("{{roller: {}}}", roller_diameter_text(s)),
+                                                         "the diameter that a standard screw of three starts has; any "
+                                                         "other rolls as well. The screw's is given"))
+              : case_line(fmt::format("  pitch_diameter: {{screw: {}}}", diameter_text(d)),
+                          "given: weights in catalogues show that the nominal diameter is this one")) +
          case_line("  backlash: {screw: 0 mm, nut: 0 mm}",
                    "assumed: a nut without play; take a half of yours for each") +
          case_line(
@@ -184,13 +204,15 @@ std::string mechanism_text(const CompleteScrew& s) {
          thread_text(s) +
          case_line(fmt::format("  rollers: {}", m.rollers),
                    origin_of(d.rollers.has_value(), "as many as fit with half a pitch between their crests")) +
+         (is_grooved(s) ? case_line("  rollers_unloaded: 1", "assumed: of these, in the recess, carries nothing")
+                        : "") +
          case_line(fmt::format("  contacts_per_roller: {}", m.contacts_per_roller), "assumed: " + rule);
 }
 
 std::string structure_text(const CompleteScrew& s, ModelOf model) {
   const Structure& of = *s.c.structure;
   const ScrewData& d = s.data;
-  const bool standard = is_standard(s), full = model == ModelOf::full;
+  const bool standard = on_nut(s), full = model == ModelOf::full;
   const std::string nut_length = length_text(d, "nut_length", d.nut_length, of.nut.length);
   return "\nstructure:\n" +
          case_line(fmt::format("  screw: {{bore: 0 mm, free_length: {}{}}}", mm(of.screw.free_length),
@@ -208,9 +230,12 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
                                !full      ? ""
                                : standard ? ", rings: nut"
                                           : ", rings: screw"),
-                   standard ? "assumed: toothed ends over 0.9 of the length that the threads leave in "
-                              "the nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
-                            : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick") +
+                   is_grooved(s)
+                       ? "assumed: ends without teeth, which the cage guides, as long as the toothed ends of a "
+                         "standard screw: over 0.9 of the length that the grooves leave in the nut"
+                   : standard ? "assumed: toothed ends over 0.9 of the length that the threads leave in "
+                                "the nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
+                              : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick") +
          "  nut:\n" +
          case_line(fmt::format("    length: {}", nut_length),
                    origin_of(d.nut_length.has_value(),
@@ -402,7 +427,13 @@ double required_capacity(const CompleteScrew& s) {
   const LemorGeometry g =
       lemor_geometry(contacts.mechanism, contact_angle({of.screw.normal_angle(), of.nut.normal_angle()}));
   if (const std::optional<LemorCapacity> found = lemor_capacity(g)) return found->capacity;
-  const int starts = s.c.mechanism.starts.screw, more = is_standard(s) ? 0 : 2;
+  if (is_grooved(s))
+    throw CaseError(
+        "roller_diameter",
+        fmt::format("got {}; Lemor's capacity, which `life` needs, is not known for this ratio to the nut's "
+                    "{}; take one nearer to the screw's",
+                    mm(s.pitch_diameter.roller), mm(s.pitch_diameter.nut)));
+  const int starts = s.c.mechanism.starts.screw, more = 2 - contact::facts_of(s.data.type).starts_over_diameters;
   throw CaseError("starts",
                   fmt::format("got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this "
                               "nut: Lemor's "
@@ -412,7 +443,7 @@ double required_capacity(const CompleteScrew& s) {
                               1e3 * s.pitch_diameter.roller));
 }
 
-std::string configuration_case(const Configuration& c) {
+ScrewData data_of(const Configuration& c) {
   ScrewData d;
   d.type = c.mechanism.type;
   d.screw_diameter = *c.mechanism.pitch_diameter.screw;
@@ -422,9 +453,18 @@ std::string configuration_case(const Configuration& c) {
   d.flank_angle = c.mechanism.flank_angle.screw;
   d.rollers = c.mechanism.rollers;
   d.roller_profile_radius = c.mechanism.profile.roller.radius;
-  return screw_case(complete_screw(d), {},
-                    "Given by `prs configurations`: screw diameter, lead, starts, rollers, profile "
-                    "radius of the rollers.");
+  d.roller_diameter = c.mechanism.pitch_diameter.roller;
+  d.nut_diameter = c.nut_diameter;
+  return d;
+}
+
+std::string configuration_case(const Configuration& c) {
+  return screw_case(
+      complete_screw(data_of(c)), {},
+      fmt::format("Given by `prs configurations`: screw diameter, lead, starts, rollers, profile radius of "
+                  "the rollers{}{}.",
+                  c.mechanism.pitch_diameter.roller ? ", roller diameter" : "",
+                  c.nut_diameter ? ", nut diameter" : ""));
 }
 
 }  // namespace prs

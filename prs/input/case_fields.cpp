@@ -5,8 +5,8 @@
 namespace prs::input {
 
 void alternatives(Choices& io, Mechanism::Type& t) {
-  io("standard", t, Mechanism::Type::standard, "the rollers stay in place on the nut");
-  io("inverted", t, Mechanism::Type::inverted, "the rollers stay in place on the screw");
+  for (const Mechanism::Type type : contact::kMechanismTypes)
+    io(contact::facts_of(type).name, t, type, contact::facts_of(type).meaning);
 }
 
 void alternatives(Choices& io, Mechanism::Geometry& g) {
@@ -287,7 +287,7 @@ void alternatives(Choices& io, EnvelopePointItem::Wanted& w) {
 
 void fields(const Fields& io, Mechanism::Starts& s) {
   io("screw", s.screw, Whole{1, 100}, required, "Thread starts of the screw and of the nut");
-  io("roller", s.roller, Whole{1, 100}, "Thread starts of a roller");
+  io("roller", s.roller, Whole{0, 100}, "Thread starts of a roller; 0, grooves, of a recirculating screw");
 }
 
 void fields(const Fields& io, ThreadHeight& t) {
@@ -306,7 +306,8 @@ void fields(const Fields& io, Mechanism& m) {
   io("geometry", m.geometry, "What is given of the geometry");
   io("profile_plane", m.profile_plane, "Plane in which flank angle and profile radius are measured");
 
-  const bool simulation = m.geometry == Mechanism::Geometry::simulation;
+  const bool simulation = m.geometry == Mechanism::Geometry::simulation, grooved = contact::is_grooved(m.type);
+  if (grooved) m.starts.roller = 0;
   const Presence in_simulation = required_only_if(simulation, "only with `geometry: simulation`");
   const Presence in_design = optional_only_if(!simulation, "only with `geometry: design`");
 
@@ -316,7 +317,9 @@ void fields(const Fields& io, Mechanism& m) {
   io("flank_angle", m.flank_angle, OneOrEach{flank_angle}, required, "Flank angle, from the plane normal to the axis");
   io("pitch_diameter", m.pitch_diameter, Keys{[&](const Fields& part) {
        part("screw", m.pitch_diameter.screw, diameter, required, "Of the screw");
-       part("roller", m.pitch_diameter.roller, diameter, in_simulation, "Of a roller");
+       part("roller", m.pitch_diameter.roller, diameter,
+            required_only_if(simulation || grooved, "only with `geometry: simulation` or `type: recirculating`"),
+            "Of a roller");
        part("nut", m.pitch_diameter.nut, diameter, in_simulation, "Of the nut");
      }},
      required, "Pitch diameters");
@@ -326,6 +329,9 @@ void fields(const Fields& io, Mechanism& m) {
   io("thread", m.thread, Each{Block{}, optional},
      "Radial extent of truncated threads; the nut's addendum points inwards");
   io("rollers", m.rollers, Whole{1, 1000}, required, "Number of rollers");
+  io("rollers_unloaded", m.rollers_unloaded, Whole{0, 999},
+     optional_only_if(grooved, "only with `type: recirculating`"),
+     "Of these, rollers in the recess, which carry nothing; 1 by default");
   io("contacts_per_roller", m.contacts_per_roller, Whole{1, 10'000}, required,
      "Threads of a roller in contact, at each interface");
 }

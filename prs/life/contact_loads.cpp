@@ -287,7 +287,7 @@ bool LifeModel::is_loaded_across() const { return full() && spatial_load(c).acts
 
 double LifeModel::equal_share() const {
   const Mechanism& m = contacts.mechanism;
-  return 1.0 / (static_cast<double>(m.rollers) * static_cast<double>(m.contacts_per_roller));
+  return 1.0 / (static_cast<double>(loaded_rollers(m)) * static_cast<double>(m.contacts_per_roller));
 }
 
 LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver, const ContactLoads& at) {
@@ -396,7 +396,8 @@ ContactSolver running_loads_solver(const LifeModel& model, Direction d, DrivenBy
       if (!model.preloaded()) continue;
       const std::vector<double>& axial =
           named ? found.threads->screw.axial_load : found.other_flank->threads.screw.axial_load;
-      loads.rated.push_back(model.contacts.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0));
+      loads.rated.push_back(loaded_rollers(model.contacts.mechanism) *
+                            std::accumulate(axial.begin(), axial.end(), 0.0));
     }
     return loads;
   };

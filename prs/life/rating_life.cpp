@@ -50,7 +50,7 @@ LemorGeometry lemor_geometry(const Mechanism& m, double contact_angle) {
   g.pitch_circle = 2.0 * *m.centre_distance;
   g.contact_angle = contact_angle;
   g.helix_angle = std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
-  g.contacts = m.rollers * m.contacts_per_roller;
+  g.contacts = loaded_rollers(m) * m.contacts_per_roller;
   return g;
 }
 

@@ -22,7 +22,7 @@ bool has_contact_points(const Contacts& contacts) {
 std::string mechanism_title(const Contacts& contacts) {
   const contact::MechanismGeometry& threads = contacts.threads;
   return fmt::format("{}{} screw {} × {}", threads.screw.lead < 0.0 ? "left-handed " : "",
-                     threads.type == contact::MechanismType::standard ? "standard" : "inverted",
+                     contact::facts_of(threads.type).name,
                      table_number(fmt::format("{:.4g}", 2.0 * threads.screw.pitch_radius * "mm"_per_si), "mm"),
                      in_table_unit(fmt::format("{:.4g} mm", std::abs(threads.screw.lead) * "mm"_per_si)));
 }

@@ -275,7 +275,7 @@ std::string mechanism_line(const Contacts& contacts) {
   return fmt::format(
       "{} roller screw, {}-handed, lead {:.6g} {}, {} roller{} ({} fit)\n"
       "centre distance {}\n",
-      m.type == Mechanism::Type::standard ? "Standard" : "Inverted", m.lead < 0.0 ? "left" : "right",
+      capitalised(std::string(contact::facts_of(m.type).name)), m.lead < 0.0 ? "left" : "right",
       shown(std::abs(m.lead), "mm"), table_unit("mm").text, m.rollers, m.rollers == 1 ? "" : "s",
       contact::largest_roller_count(contacts.threads), fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
 }

@@ -41,7 +41,7 @@ void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact, 
 void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const Contacts& contacts, Interface i,
                          double cosine, simd::InstructionSet set, const LoadDetail& detail = {},
                          const contact::KnownApproach& known = {}) {
-  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
+  const double roller_force = std::abs(load_case.axial_force) / loaded_rollers(contacts.mechanism);
   const std::size_t threads = loads.normal_load.size();
   loads.axial_load.resize(detail.axial_load ? threads : 0);
   for (const auto k : indices(loads.axial_load)) loads.axial_load[k] = loads.normal_load[k] * cosine;
@@ -56,7 +56,7 @@ void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const
 
 /// Load of each thread if all carry the same by assumption.
 double equal_normal_load(const LoadCase& load_case, const Mechanism& m, double psi) {
-  const double contacts = static_cast<double>(m.rollers) * m.contacts_per_roller;
+  const double contacts = static_cast<double>(loaded_rollers(m)) * m.contacts_per_roller;
   return std::abs(load_case.axial_force) / contacts / std::cos(psi);
 }
 

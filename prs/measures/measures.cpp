@@ -28,8 +28,8 @@ std::optional<double> axial_hertz_coefficient(const Conditions& c, const Contact
   return prs::axial_hertz_coefficient(contact.hertz.hertz_constant, *angle);
 }
 
-/// Number of contacts of all rollers at one interface.
-int contact_count(const Mechanism& m) { return m.rollers * m.contacts_per_roller; }
+/// Number of loaded contacts of all rollers at one interface.
+int contact_count(const Mechanism& m) { return loaded_rollers(m) * m.contacts_per_roller; }
 
 template <class... T>
 std::optional<double> sum(const T&... values) {
@@ -154,8 +154,10 @@ void find_inertia(const Conditions& c, const Contacts& contacts, Measures& m) {
     screw_weight = product(density.screw, screw.volume);
     m.screw_inertia = product(density.screw, screw.polar_moment);
   }
-  const bool standard = mechanism.type == Mechanism::Type::standard;
-  if (const auto mass = sum(m.roller_weight, standard ? m.nut_weight : screw_weight))
+  const bool on_nut = carrier_part(mechanism.type) == Part::nut;
+  // Rollers in a recirculating nut lag behind it until they are led back.
+  const double lag = contact::is_grooved(mechanism.type) ? m.carrier_ratio.value_or(0.0) : 0.0;
+  if (const auto mass = sum(product(m.roller_weight, (1.0 - lag) * (1.0 - lag)), on_nut ? m.nut_weight : screw_weight))
     m.travel_inertia = travel_inertia(*mass, mechanism.lead);
   if (density.roller && m.roller_ratio) {
     const RoundBody roller = roller_body(mechanism, c.structure->roller);
@@ -163,7 +165,7 @@ void find_inertia(const Conditions& c, const Contacts& contacts, Measures& m) {
                                       *density.roller * roller.polar_moment, *mechanism.centre_distance,
                                       ratios_to_frame(mechanism.type, {*m.roller_ratio, *m.carrier_ratio}));
   }
-  m.equivalent_inertia = sum(m.roller_inertia, m.travel_inertia, standard ? m.screw_inertia : m.nut_inertia);
+  m.equivalent_inertia = sum(m.roller_inertia, m.travel_inertia, on_nut ? m.screw_inertia : m.nut_inertia);
 }
 
 void find_bodies(const Conditions& c, const Contacts& contacts, Measures& m) {
@@ -192,7 +194,7 @@ void find_shaft(const Conditions& c, const Contacts& contacts, Measures& m) {
                       axial_pitch(contacts.mechanism) / options.shaft->length;
   if (!(core.diameter > core.bore)) return;
   m.buckling_load = buckling_load(core, material.youngs_modulus, *options.shaft, options.yield_strength);
-  if (material.density && contacts.mechanism.type == Mechanism::Type::standard)
+  if (material.density && carrier_part(contacts.mechanism.type) == Part::nut)
     m.critical_speed = critical_speed(core, material.youngs_modulus, *material.density, *options.shaft);
 }
 
@@ -221,7 +223,7 @@ void find_yang_distribution(const Conditions& c, const Contacts& contacts, const
   const auto coefficient =
       sum(axial_hertz_coefficient(c, contacts, Interface::screw), axial_hertz_coefficient(c, contacts, Interface::nut));
   if (!thrust || !coefficient) return;
-  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
+  const double roller_force = std::abs(load_case.axial_force) / loaded_rollers(contacts.mechanism);
   m.yang_load_rate =
       yang_distribution(roller_force, *coefficient,
                         thread_gaps(contacts.mechanism, *c.structure, *c.materials, *thrust, *load_case.position));
@@ -461,15 +463,14 @@ PlanetaryRatios planetary_ratios(Mechanism::Type type, double gear_ratio) {
   KinematicGeometry g;
   g.type = type;
   g.gear_ratio = gear_ratio;
-  const double slip_ratio = type == Mechanism::Type::standard ? (1.0 - 2.0 * gear_ratio) / (2.0 * (1.0 - gear_ratio))
-                                                              : 1.0 / (2.0 * (1.0 + gear_ratio));
+  const double slip_ratio = slip_estimates(g).simple;
   // With the nut at rest the carrier turns by the slip ratio.
   return {kinematics(g, 1.0, slip_ratio).roller_to_carrier + slip_ratio, slip_ratio};
 }
 
 PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut_at_rest) {
   const auto of = [&](double against_nut) {
-    return against_frame(type == Mechanism::Type::standard, against_nut, 1.0) / turning_speed(type, 1.0);
+    return against_frame(carrier_part(type) == Part::nut, against_nut, 1.0) / turning_speed(type, 1.0);
   };
   return {of(nut_at_rest.roller), of(nut_at_rest.carrier)};
 }

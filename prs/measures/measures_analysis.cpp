@@ -239,7 +239,7 @@ using Compliance = std::pair<std::string, double>;
 std::vector<Compliance> body_compliances(const MeasuresResult& result) {
   const Measures& m = result.measures;
   const Mechanism& mechanism = result.analysis.contacts.mechanism;
-  const double contacts = mechanism.rollers * mechanism.contacts_per_roller;
+  const double contacts = loaded_rollers(mechanism) * mechanism.contacts_per_roller;
   std::vector<Compliance> all;
   for (const Part part : kParts)
     if (m.tooth_stiffness[part] && contacts > 0.0)

@@ -17,7 +17,7 @@ std::optional<double> flank_edge_estimate(const MeasuresResult& r, std::size_t k
     const double largest = threads ? std::ranges::max((*threads)[i].axial_load) : 0.0;
     if (!edge || !(largest > 0.0)) return std::nullopt;
     const Mechanism& mechanism = r.analysis.contacts.mechanism;
-    const double own = *edge / (mechanism.rollers * mechanism.contacts_per_roller * largest);
+    const double own = *edge / (loaded_rollers(mechanism) * mechanism.contacts_per_roller * largest);
     margin = std::min(own, margin.value_or(own));
   }
   if (margin) *margin /= rise_elsewhere(loaded);

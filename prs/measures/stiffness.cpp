@@ -104,7 +104,7 @@ PerPart<double> section_stiffness(const Mechanism& m, const Structure& s, const 
   const auto rigidity = [&](Part p, double area) { return materials[p].youngs_modulus * area; };
   return {
       .screw = rigidity(Part::screw, ring_area(*m.pitch_diameter.screw, s.screw.bore)) / pitch,
-      .roller = m.rollers * rigidity(Part::roller, disc_area(*m.pitch_diameter.roller)) / (2.0 * pitch),
+      .roller = loaded_rollers(m) * rigidity(Part::roller, disc_area(*m.pitch_diameter.roller)) / (2.0 * pitch),
       .nut = rigidity(Part::nut, ring_area(s.nut.outer_diameter, *m.pitch_diameter.nut)) / pitch,
   };
 }
@@ -156,9 +156,9 @@ std::vector<ThreadGap> thread_gaps(const Mechanism& m, const Structure& s, const
                                    double position) {
   const double pitch = axial_pitch(m), bore = *m.pitch_diameter.nut;
   const double screw =
-      m.rollers * pitch / (materials.screw.youngs_modulus * ring_area(*m.pitch_diameter.screw, s.screw.bore));
+      loaded_rollers(m) * pitch / (materials.screw.youngs_modulus * ring_area(*m.pitch_diameter.screw, s.screw.bore));
   const auto nut = [&](double from, double to) {
-    return m.rollers * nut_compliance(s.nut, bore, materials.nut.youngs_modulus, from, to);
+    return loaded_rollers(m) * nut_compliance(s.nut, bore, materials.nut.youngs_modulus, from, to);
   };
   std::vector<ThreadGap> gaps;
   for (int k = 0; k + 1 < m.contacts_per_roller; ++k) {

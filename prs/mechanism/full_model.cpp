@@ -88,9 +88,9 @@ PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j
   }
   const Turning& turning = all.d.turning;
   const bool turns = turning != Turning{};
-  const bool standard = m.type == Mechanism::Type::standard;
+  const bool on_nut = carrier_part(m.type) == Part::nut;
   const double on_part = azimuth - all.turn.geared(m.type);
-  const double spin = (standard ? -1.0 : 1.0) * m.starts.screw / m.starts.roller * on_part;
+  const double spin = (on_nut ? -1.0 : 1.0) * m.starts.screw / m.starts.roller * on_part;
   const double radius = 0.5 * *m.pitch_diameter.roller;
   const double half = 0.5 * (m.contacts_per_roller - 1) * axial_pitch(m);
   PerInterface<std::vector<double>> gaps;
@@ -99,7 +99,7 @@ PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j
     ThreadOffsets body = all.body[i], of_roller = roller;
     const std::vector<double>& index_error = all.d.index_error[i];
     const double part = i == Interface::screw ? all.turn.screw : all.turn.nut;
-    const double travelled = (standard ? 0.0 : all.turn.travel) - (i == Interface::screw ? all.turn.travel : 0.0);
+    const double travelled = (on_nut ? 0.0 : all.turn.travel) - (i == Interface::screw ? all.turn.travel : 0.0);
     for (const auto k : indices(body.axial)) {
       if (!index_error.empty()) body.axial[k] += index_error[start_at(m, on_part, static_cast<int>(k))];
       body.radial[k] += along(all.d.thread_eccentricity[i], azimuth);
@@ -242,7 +242,7 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
   }
 
   const Rings& rings = structure.roller.rings;
-  f.carrier = rings.carrier.value_or(m.type == Mechanism::Type::standard ? Rings::Carrier::nut : Rings::Carrier::screw);
+  f.carrier = rings.carrier.value_or(carrier_part(m.type) == Part::nut ? Rings::Carrier::nut : Rings::Carrier::screw);
   f.ring_stiffness = rings.stiffness;
   f.housing = structure.nut.housing;
   f.bearings = structure.screw.bearings;

@@ -84,7 +84,7 @@ struct Turn {
   double travel = 0.0;  ///< Travel of the screw against the nut, along x [m].
 
   /// Turn of the part with which the gears mesh the rollers, by the starts.
-  double geared(Mechanism::Type type) const { return type == Mechanism::Type::standard ? nut : screw; }
+  double geared(Mechanism::Type type) const { return carrier_part(type) == Part::nut ? nut : screw; }
 };
 
 /// Turns after the screw has turned by theta against the nut: one of both parts turns, the carrier by the slip ratio.

@@ -120,12 +120,11 @@ class Vibration {
       s_.model.elastic_supports.push_back({held, Dof::u, drive.stiffness});
     add_point(Share::masses, {{held, Dof::u}}, Eigen::VectorXd::Ones(1), drive.inertia);
 
-    const bool standard = v_.mechanism.type == Mechanism::Type::standard;
-    const Interface along = standard ? Interface::screw : Interface::nut;
+    const Interface along = sliding_interface(v_.mechanism.type);
     const double advance = v_.mechanism.lead / (2.0 * std::numbers::pi);
     const double epsilon = v_.slip_ratio;
     const double gear = static_cast<double>(v_.mechanism.starts.screw) / v_.mechanism.starts.roller;
-    const double spin = epsilon + gear * (standard ? -epsilon : epsilon - 1.0);
+    const double spin = epsilon + gear * (along == Interface::screw ? -epsilon : epsilon - 1.0);
     const double orbit = epsilon * f_.centre_distance;
     const double inertia = (roller_mass() * orbit * orbit + roller_inertia() * spin * spin) / f_.threads();
     for (const auto r : indices(s_.rollers))

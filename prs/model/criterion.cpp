@@ -50,8 +50,8 @@ FoundCriterion convergence(const std::string& failed) {
 std::optional<double> loaded_length(const Case& c) {
   if (!c.structure || !c.life) return std::nullopt;
   const Mechanism& m = c.mechanism;
-  return m.type == Mechanism::Type::standard ? c.structure->nut.length
-                                             : m.contacts_per_roller * std::abs(m.lead) / m.starts.screw;
+  return carrier_part(m.type) == Part::nut ? c.structure->nut.length
+                                           : m.contacts_per_roller * std::abs(m.lead) / m.starts.screw;
 }
 
 }  // namespace prs

@@ -348,7 +348,7 @@ void need_life(const Case& c, Problems& problems) {
 
 void check_measures(const Case& c, Problems& problems) {
   const MeasureOptions& m = *c.measures;
-  if (m.shaft && m.shaft->stroke && c.structure && c.mechanism.type == Mechanism::Type::standard)
+  if (m.shaft && m.shaft->stroke && c.structure && carrier_part(c.mechanism.type) == Part::nut)
     if (const double least = *m.shaft->stroke + c.structure->nut.length; m.shaft->length < least)
       problems.add("measures.shaft.length",
                    "got {}; expected at least {}, the stroke of {} and the nut's length; lengthen the shaft or shorten "

@@ -33,8 +33,8 @@ struct Mechanism {
   /// Plane in which flank angle and profile radius are measured: normal to the helix (Sandu) or through the axis (Yao).
   enum class ProfilePlane { normal, axial };
   struct Starts {
-    int screw = 0;  ///< Starts of the screw and of the nut.
-    int roller = 1;
+    int screw = 0;   ///< Starts of the screw and of the nut.
+    int roller = 1;  ///< Starts of a roller; 0: grooves.
   };
 
   Type type = Type::inverted;
@@ -42,25 +42,38 @@ struct Mechanism {
   ProfilePlane profile_plane = ProfilePlane::normal;
   double lead = 0.0;  ///< Lead of screw and nut [m]; > 0 right-handed.
   Starts starts;
-  PerPart<std::optional<double>> pitch;           ///< Measured axial pitch [m] where it differs from the nominal one.
-  PerPart<double> flank_angle;                    ///< alpha_n (or axial), against the radial plane [rad].
-  PerPart<std::optional<double>> pitch_diameter;  ///< Pitch diameter [m]; `design` gives the screw's only.
-  std::optional<double> centre_distance;          ///< Distance of the axes [m], `simulation` only.
-  PerInterface<double> backlash;                  ///< Axial play [m], `design` only.
+  PerPart<std::optional<double>> pitch;  ///< Measured axial pitch [m] where it differs from the nominal one.
+  PerPart<double> flank_angle;           ///< alpha_n (or axial), against the radial plane [rad].
+  /// Pitch diameter [m]; `design` gives the screw's only, and that of rollers with grooves.
+  PerPart<std::optional<double>> pitch_diameter;
+  std::optional<double> centre_distance;  ///< Distance of the axes [m], `simulation` only.
+  PerInterface<double> backlash;          ///< Axial play [m], `design` only.
   PerPart<Profile> profile;
   PerPart<std::optional<ThreadHeight>> thread;
   int rollers = 0;
-  int contacts_per_roller = 0;  ///< N_c at each interface.
+  std::optional<int> rollers_unloaded;  ///< Rollers in the recess of a recirculating screw; if absent: 1.
+  int contacts_per_roller = 0;          ///< N_c at each interface.
 };
+
+/// Rollers that carry load, in equal shares.
+inline int loaded_rollers(const Mechanism& m) {
+  return m.rollers - m.rollers_unloaded.value_or(contact::facts_of(m.type).unloaded_rollers);
+}
 
 /// Axial spacing of neighbouring threads of screw and nut [m].
 inline double axial_pitch(const Mechanism& m) { return std::abs(m.lead) / m.starts.screw; }
 
-/// The part that the rollers are geared to.
-constexpr Part geared_part(Mechanism::Type type) { return type == Mechanism::Type::standard ? Part::nut : Part::screw; }
+/// The part on which the carrier keeps its place, and to which rollers with teeth are geared; the other one turns.
+constexpr Part carrier_part(Mechanism::Type type) {
+  return contact::facts_of(type).carrier_on_nut ? Part::nut : Part::screw;
+}
 
-/// Gamma of the gears, whose teeth must mesh with every start of the threads: n_R/n_S, for any diameters.
-inline double gear_ratio(const Mechanism& m) { return static_cast<double>(m.starts.roller) / m.starts.screw; }
+/// Gamma of the gears, whose teeth must mesh with every start of the threads: n_R/n_S, for any diameters. Rollers
+/// without teeth roll off on the nut: d_R/d_N of a resolved mechanism.
+inline double gear_ratio(const Mechanism& m) {
+  return contact::is_grooved(m.type) ? *m.pitch_diameter.roller / *m.pitch_diameter.nut
+                                     : static_cast<double>(m.starts.roller) / m.starts.screw;
+}
 
 /// Axial pitch of each part [m]: the measured one, else lead/starts. Pitches that differ by rounding only
 /// (`contact::kSamePitch`) become one number.

@@ -351,7 +351,7 @@ void check_turning(const Case& c, Problems& problems) {
 /// Measured errors must cover all contacts at all positions of a load case.
 void check_measured(const Case& c, Problems& problems) {
   const Mechanism& m = c.mechanism;
-  const bool standard = m.type == Mechanism::Type::standard;
+  const bool on_nut = carrier_part(m.type) == Part::nut;
   const bool helical = c.model.contact_phase == ModelOptions::ContactPhase::helical;
   const double margin = helical ? 0.5 * axial_pitch(m) : 0.0;
   for (const Interface i : kInterfaces) {
@@ -362,7 +362,7 @@ void check_measured(const Case& c, Problems& problems) {
       const Travel t = load.travel.value_or(Travel{});
       for (const double theta : {t.from, load.travel ? t.angle(t.last()) : t.from}) {
         const double lambda = m.lead * theta / (2.0 * std::numbers::pi);
-        moved.push_back((standard ? 0.0 : lambda) - (i == Interface::screw ? lambda : 0.0));
+        moved.push_back((on_nut ? 0.0 : lambda) - (i == Interface::screw ? lambda : 0.0));
       }
     }
     if (moved.empty()) moved = {0.0};
@@ -510,6 +510,13 @@ void check_places(const Case& c, Problems& problems) {
 
 void check_full_mechanism(const Case& c, Problems& problems) {
   if (!c.model.all_rollers()) return refuse_in_sector(c, problems);
+  if (contact::is_grooved(c.mechanism.type)) {
+    problems.add("model.mechanism",
+                 "got full with `type: {}`; expected sector: threads of rollers that leave their place, moments, modes "
+                 "and teeth are not modelled; write `mechanism: sector`",
+                 contact::facts_of(c.mechanism.type).name);
+    return;
+  }
   if (!c.model.bodies->helical_contacts && c.model.contact_phase != ModelOptions::ContactPhase::equal)
     problems.add("model.contact_phase",
                  "got helical with `bodies: {}`, bodies of revolution whose ridges have no "

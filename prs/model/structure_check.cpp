@@ -57,6 +57,15 @@ void check_rollers(const Mechanism& m, Problems& problems) {
 
 void check_threads(const Mechanism& m, Problems& problems) {
   const double pitch = axial_pitch(m);
+  const bool grooved = contact::is_grooved(m.type);
+  if (grooved != (m.starts.roller == 0))
+    problems.add("mechanism.starts.roller", "got {}; expected {} with `type: {}`; change one of them", m.starts.roller,
+                 grooved ? "0, grooves without a helix," : "1 or more, threads,", contact::facts_of(m.type).name);
+  if (loaded_rollers(m) < 1)
+    problems.add(
+        "mechanism.rollers_unloaded",
+        "leaves {} of {} rollers to carry the load; expected at least 1; take more rollers or fewer unloaded ones",
+        loaded_rollers(m), m.rollers);
   for (Part part : kParts) {
     const std::optional<double>& diameter = m.pitch_diameter[part];
     if (diameter && pitch > 2.0 * *diameter)

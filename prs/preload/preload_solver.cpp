@@ -150,8 +150,8 @@ PreloadSector double_nut(const PreloadParts& p, const Held& held) {
   s.loaded_node = first.loaded_node;
 
   const Spacer& spacer = *p.preload.spacer;
-  const double rigidity =
-      p.materials.nut.youngs_modulus * ring_area(spacer.outer_diameter, spacer.inner_diameter) / p.mechanism.rollers;
+  const double rigidity = p.materials.nut.youngs_modulus * ring_area(spacer.outer_diameter, spacer.inner_diameter) /
+                          loaded_rollers(p.mechanism);
   const int from = nut_end(first, first.nut_nodes.back(), true);
   const int to = number(nut_end(second, second.nut_nodes.front(), false));
   s.model = std::move(first.model);
@@ -286,7 +286,7 @@ PreloadSector build_preload_sector(const PreloadParts& given, Direction sense, d
       parts.preload.arrangement == Preload::Arrangement::single_nut ? single_nut(parts, held) : double_nut(parts, held);
   if (expands) add_expansion(s, given);
   s.laws = parts.laws;
-  s.rollers = parts.mechanism.rollers;
+  s.rollers = loaded_rollers(parts.mechanism);
   s.roller_radius = 0.5 * *parts.mechanism.pitch_diameter.roller;
   return s;
 }

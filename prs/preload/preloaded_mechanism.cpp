@@ -134,7 +134,7 @@ LoadCaseResult both_flanks_result(const LoadCase& load_case, const Contacts& con
   LoadCaseResult result = solved_result(load_case, contacts, laws, std::move(d));
   if (!result.threads) return result;
   result.other_flank.emplace();
-  result.other_flank->rollers = contacts.mechanism.rollers;
+  result.other_flank->rollers = loaded_rollers(contacts.mechanism);
   for (const Interface i : kInterfaces) {
     FlankThreads& other = result.other_flank->threads[i];
     other.normal_load = std::move(point.sides[opposite(named)].normal_load[i]);

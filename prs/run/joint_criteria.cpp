@@ -155,7 +155,7 @@ FoundCriterion buckling_safety(const Case& c, const MeasuresResult& measures, co
 
 FoundCriterion critical_speed_share(const Case& c, const MeasuresResult& measures, const FoundCriterion& speed) {
   const auto& critical = measures.measures.critical_speed;
-  const bool turns = c.mechanism.type == Mechanism::Type::standard;
+  const bool turns = carrier_part(c.mechanism.type) == Part::nut;
   if (speed.value && critical) return following("critical_speed_share", speed, *speed.value / *critical);
   FoundCriterion found("critical_speed_share", !turns           ? "the nut turns, not the screw"
                                                : lacks_shaft(c) ? kAddShaft

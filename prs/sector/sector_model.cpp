@@ -38,8 +38,7 @@ struct Given {
   double root_diameter(Part p) const { return *mechanism.pitch_diameter[p] - 2.0 * root_depth(p); }
   /// Diameter of the screw before its first contact [m].
   double plain_screw_diameter() const {
-    const bool threaded = mechanism.type == Mechanism::Type::standard;
-    return threaded ? root_diameter(Part::screw) : *mechanism.pitch_diameter.screw;
+    return carrier_part(mechanism.type) == Part::nut ? root_diameter(Part::screw) : *mechanism.pitch_diameter.screw;
   }
 };
 
@@ -53,7 +52,7 @@ void set_screw(SectorModel& s, const Given& g) {
   s.free_length = free_length(g.structure);
   if (g.effects.poisson)
     s.offset_compliance = poisson_offset(s.sense, 0.5 * root, 0.5 * g.structure.screw.bore, g.materials.screw,
-                                         g.mechanism.rollers, g.laws.screw.normal_angle);
+                                         loaded_rollers(g.mechanism), g.laws.screw.normal_angle);
 }
 
 /// Sets the roller and its radial guides (Abevi's BC3 and its alternatives).
@@ -202,7 +201,7 @@ void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& struc
   s.flanges.clear();
   s.nut_shell.reset();
   for (const Interface i : kInterfaces) s.body_compliance[i].clear();
-  s.rollers = m.rollers;
+  s.rollers = loaded_rollers(m);
   s.sense = sense(direction);
   s.pitch = axial_pitch(m);
   set_screw(s, g);

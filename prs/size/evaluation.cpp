@@ -377,7 +377,7 @@ class Evaluation {
         {c_.critical_speed && c_.largest_speed ? std::optional(*c_.largest_speed / *c_.critical_speed) : std::nullopt,
          l.critical_speed_share,
          !cycle_.moves()                              ? rests
-         : c_.screw.type == Mechanism::Type::inverted ? "the nut turns, not the screw"
+         : carrier_part(c_.screw.type) == Part::screw ? "the nut turns, not the screw"
                                                       : ""});
     at_most("speed_times_diameter", "mm/min", {c_.speed_times_diameter, l.speed_times_diameter, rests});
     at_most("nut_diameter", "mm", {c_.nut_diameter, l.nut_diameter});
@@ -479,9 +479,9 @@ class Evaluation {
                             "take a larger screw"}
                         .with(cycle_.largest_force, kRegularLoad * capacity(), "kN"_unit));
     const Mechanism& mechanism = sized_.screw.c.mechanism;
-    const bool standard = c_.screw.type == Mechanism::Type::standard;
-    const double length = standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
-    if (standard && r_.stroke && sized_.shaft_length < *r_.stroke + c_.nut_length)
+    const bool on_nut = carrier_part(c_.screw.type) == Part::nut;
+    const double length = on_nut ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
+    if (on_nut && r_.stroke && sized_.shaft_length < *r_.stroke + c_.nut_length)
       all.push_back(Warning{"shaft.length", "short_shaft",
                             "the shaft, {value}, is shorter than stroke and nut together, {limit}", "lengthen it"}
                         .with(sized_.shaft_length, *r_.stroke + c_.nut_length, "mm"_unit, Warning::Worse::smaller));
@@ -490,7 +490,7 @@ class Evaluation {
       all.push_back(Warning{"stroke", "short_stroke",
                             fmt::format("the stroke under load, {{value}}, is below {{limit}}, 1.5 times the {}: life "
                                         "needs a special calculation, none is public",
-                                        standard ? "nut's length" : "length of the rollers' threads")}
+                                        on_nut ? "nut's length" : "length of the rollers' threads")}
                         .with(*stroke, kShortStroke * length, "mm"_unit, Warning::Worse::smaller));
     if (c_.brake_needed && !r_.friction->facts().holds_at_rest())
       all.push_back({"friction", "film_at_rest",

@@ -340,9 +340,11 @@ class CatalogueReader {
     c.name = text(text("name").empty() ? "screw" : "name");
     c.list = text("maker").empty() ? list_ : fmt::format("{}, {}", text("maker"), list_);
     const std::string_view type = text("type");
-    if (!type.empty() && type != "standard" && type != "inverted")
-      refuse(place_of("type"), "standard or inverted", "write one of these");
-    if (type == "inverted") c.screw.type = Mechanism::Type::inverted;
+    if (!type.empty()) {
+      const std::optional<Mechanism::Type> named = contact::type_named(type);
+      if (!named) refuse(place_of("type"), "standard, inverted or recirculating", "write one of these");
+      c.screw.type = *named;
+    }
     c.screw.screw_diameter = *number("screw_diameter_mm", 1e3);
     c.screw.lead = *number("lead_mm", 1e3);
     c.screw.starts = static_cast<int>(*number("starts"));
@@ -397,7 +399,8 @@ void add_designs(const Requirement::Designs& d, const input::Source& source, std
           c.list = "rules of prs new";
           c.number = ++number;
           c.name = size_name(diameter, lead);
-          if (type == Mechanism::Type::inverted && d.type.size() > 1) c.name += " inverted";
+          if (type != Mechanism::Type::standard && d.type.size() > 1)
+            c.name += fmt::format(" {}", contact::facts_of(type).name);
           if (starts.size() > 1) c.name += fmt::format(" {:.0f}-start", n);
           c.screw.type = type;
           c.screw.screw_diameter = diameter;
@@ -409,7 +412,7 @@ void add_designs(const Requirement::Designs& d, const input::Source& source, std
 /// Screw of a candidate as in its written case.
 CompleteScrew screw_of(const CandidateData& candidate, const std::optional<double>& stroke) {
   CompleteScrew screw = complete_screw(candidate.screw);
-  if (candidate.screw.type == Mechanism::Type::inverted && stroke) {
+  if (carrier_part(candidate.screw.type) == Part::screw && stroke) {
     const double threads = screw.c.mechanism.contacts_per_roller * axial_pitch(screw.c.mechanism);
     const double least = *stroke + threads + 2.0 * screw.c.structure->roller.end_length;
     if (candidate.screw.nut_length) {
@@ -430,7 +433,7 @@ double shaft_length(const Requirement& r, const CompleteScrew& s) {
   if (r.shaft.length) return *r.shaft.length;
   const double d = s.data.screw_diameter, nut = s.c.structure->nut.length;
   if (!r.stroke) return 20.0 * d;
-  return (s.data.type == Mechanism::Type::standard ? *r.stroke : 0.0) + nut + 2.0 * d;
+  return (carrier_part(s.data.type) == Part::nut ? *r.stroke : 0.0) + nut + 2.0 * d;
 }
 
 /// Value rounded to the digits of a written case.
@@ -703,7 +706,7 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
   Life& life = *c.life;
   life.dynamic_capacity = candidate.rated_dynamic_capacity;
   life.static_capacity = candidate.rated_static_capacity;
-  const bool travels = sized.screw.data.type == Mechanism::Type::standard;
+  const bool travels = carrier_part(sized.screw.data.type) == Part::nut;
   if (travels && in.values.stroke && sized.shaft_length >= *in.values.stroke + c.structure->nut.length)
     c.measures->shaft->stroke = in.values.stroke;
   Limits limits = limits_of(in);

@@ -152,7 +152,8 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"source_name", always<&SizedCandidate::list>, "maker or series, and file, of the row; the rules of a design"},
     {"row", of<number_of<true>>, "of the catalogue, from 1"},
     {"design", of<number_of<false>>, "from 1"},
-    {"type", always<[](const SizedCandidate& c) { return type_name(c.screw.type); }>, "standard | inverted"},
+    {"type", always<[](const SizedCandidate& c) { return contact::facts_of(c.screw.type).name; }>,
+     "standard | inverted | recirculating"},
     {"screw_diameter_mm", of<[](const SizedCandidate& c) { return c.screw.screw_diameter; }>, "nominal"},
     {"lead_mm", of<[](const SizedCandidate& c) { return c.screw.lead; }>, "< 0 left-handed"},
     {"starts", always<&SizedCandidate::starts>, "of screw and nut"},
@@ -635,9 +636,9 @@ Cells drive_row(const SizeResult& r, const SizedCandidate& c) {
   const std::optional<double> heat = c.hottest_part();
   Cells cells = first_cells(c);
   for (std::string text :
-       {std::string(type_name(c.screw.type)), fmt::format("{}", c.starts), fixed(c.motor_rms_torque, "N m", 2),
-        fixed(c.motor_peak_torque, "N m", 2), fixed(c.motor_largest_speed, "rpm"_per_si, 0),
-        fixed(c.motor_peak_power, 1e-3, 2),
+       {std::string(contact::facts_of(c.screw.type).name), fmt::format("{}", c.starts),
+        fixed(c.motor_rms_torque, "N m", 2), fixed(c.motor_peak_torque, "N m", 2),
+        fixed(c.motor_largest_speed, "rpm"_per_si, 0), fixed(c.motor_peak_power, 1e-3, 2),
         heat ? fmt::format("{:.0f}{}", *heat - kZeroCelsius, is_rough(r) ? "*" : "") : std::string(kAbsent),
         std::string(c.brake_needed ? "yes" : "no"), printable(c.list)})
     cells.push_back(std::move(text));

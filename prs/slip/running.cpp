@@ -292,7 +292,7 @@ class FixedPoint {
 
   /// Sets F_i = N_i |m_z,i| of converged loads, friction included.
   void set_axial_loads(const Slipping& nut) {
-    const double unit = std::abs(loaded_.load_case.axial_force) / contacts_.mechanism.rollers;
+    const double unit = std::abs(loaded_.load_case.axial_force) / loaded_rollers(contacts_.mechanism);
     for (const Interface i : kInterfaces) {
       InterfaceLoads& loads = threads()[i];
       const LoadedThreads& t = nut.model.threads[i];

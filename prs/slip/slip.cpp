@@ -258,7 +258,7 @@ void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_
     slip.torque_screw += second.torque_screw;
     slip.torque_nut += second.torque_nut;
     const double advance = -first_model.geometry.lead / (2.0 * std::numbers::pi) * slip.speed;
-    const double turned = first_model.geometry.is_standard() ? slip.torque_screw : slip.torque_nut;
+    const double turned = first_model.geometry.carrier_on_nut() ? slip.torque_screw : slip.torque_nut;
     const PowerFlow flow{turned * turning_speed(first_model.geometry.type, slip.speed), force * advance};
     set_drive(slip, flow, force, first_model.geometry.lead);
     slip.efficiency_fit.reset();

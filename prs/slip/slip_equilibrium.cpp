@@ -1,6 +1,7 @@
 #include "prs/slip/slip_equilibrium.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "prs/indices.h"
 #include "prs/slip/slip_search.h"
@@ -20,10 +21,11 @@ struct RollerHeadOf {
 
 /// Sliding of the other flank of an interface, if there is one.
 template <class Number>
-contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i, const Number& slip_ratio) {
+contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i, const Number& slip_ratio,
+                                             const Number& spin) {
   if (!model.other_flank) return {};
   const auto& [geometry, frames] = *model.other_flank;
-  return patch_motion(frames[i], contact_motion(geometry, kinematics(geometry, model.speed, slip_ratio), i));
+  return patch_motion(frames[i], contact_motion(geometry, kinematics(geometry, model.speed, slip_ratio, spin), i));
 }
 
 /// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
@@ -95,21 +97,67 @@ contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model, const 
 
 /// Balance at one slip ratio; `take(i, k, friction, forces)` of each patch.
 template <class Number, class Take>
-RollerBalanceOf<Number> balance_of(const SlipModel& model, const Number& slip_ratio, bool& possible, Take take) {
+RollerBalanceOf<Number> balance_of(const SlipModel& model, const Number& slip_ratio, const Number& spin, bool& possible,
+                                   Take take) {
   return roller_balance(
-      model, slip_ratio,
+      model, slip_ratio, spin,
       [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
         return interface_forces(
-            model, i, sliding, other_sliding(model, i, slip_ratio), possible,
+            model, i, sliding, other_sliding(model, i, slip_ratio, spin), possible,
             [&](std::size_t k, const auto& friction, const auto& forces) { take(i, k, friction, forces); });
       },
       [&](const auto&, const RollerForcesOf<Number>& f, const Number& speed) { return both_heads(model, f, speed); });
 }
 
+/// The balance with slopes along the slip ratio, the spin or both.
+RollerBalanceOf<Dual<double>> with_slopes(const SlipModel& model, const Dual<double>& slip_ratio,
+                                          const Dual<double>& spin, bool& possible) {
+  return balance_of(model, slip_ratio, spin, possible, [](auto&&...) {});
+}
+
+/// Moment about the axis of a roller without teeth, in the sense of the speed over `residue_unit`; it grows with the
+/// spin.
+Dual<double> toothless_moment(const SlipModel& model, const Dual<double>& slip_ratio, const Dual<double>& spin,
+                              bool& possible) {
+  const RollerMomentsOf<Dual<double>> m = with_slopes(model, slip_ratio, spin, possible).moments;
+  return sign(model.speed) / residue_unit(model) * (m.contacts + m.spin + m.carrier);
+}
+
+/// Spin at which that moment vanishes, with its slope along the slip ratio: Newton's method between bounds. The force
+/// that then lacks along the orbit is what teeth would give, so that the residue of the moments vanishes with it. 0
+/// with teeth. Not possible where the threads cannot overcome the carrier's torque.
+Dual<double> free_spin(const SlipModel& model, double slip_ratio, bool& possible) {
+  if (!contact::is_grooved(model.geometry.type)) return {0.0, 0.0};
+  constexpr int kMostSteps = 100;
+  constexpr double kFirstStep = 1e-2, kTolerance = 1e-13, kGreatest = 1e3;
+  double low = -std::numeric_limits<double>::infinity(), high = -low, step = kFirstStep, spin = 0.0;
+  Dual<double> moment(0.0, 0.0);
+  for (int k = 0; k < kMostSteps; ++k) {
+    moment = toothless_moment(model, {slip_ratio, 0.0}, {spin, 1.0}, possible);
+    if (!possible || std::abs(moment.value) <= 1e-16) break;
+    (moment.value > 0.0 ? high : low) = spin;
+    const double newton = spin - moment.value / moment.slope;
+    const bool last = std::abs(newton - spin) <= kTolerance, bounded = std::isfinite(high - low);
+    if (last || (newton > low && newton < high && bounded)) {
+      spin = newton;
+    } else if (bounded) {
+      spin = 0.5 * (low + high);
+    } else {
+      spin -= std::copysign(std::min(std::abs(newton - spin), step), moment.value);
+      step *= 4.0;
+      possible = std::abs(spin) < kGreatest;
+    }
+    if (last || !possible) break;
+  }
+  if (!possible || !(moment.slope > 0.0)) return {spin, 0.0};
+  return {spin, -toothless_moment(model, {slip_ratio, 1.0}, {spin, 0.0}, possible).slope / moment.slope};
+}
+
 /// R_z with its slope along the slip ratio; none if a contact jams.
 std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio) {
   bool possible = true;
-  const auto found = balance_of(model, Dual<double>(slip_ratio, 1.0), possible, [](auto&&...) {});
+  const Dual<double> spin = free_spin(model, slip_ratio, possible);
+  const auto found = with_slopes(model, Dual<double>(slip_ratio, 1.0), spin, possible);
   if (!possible) return std::nullopt;
   return found.moments.residue() / residue_unit(model);
 }
@@ -118,15 +166,16 @@ std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double sl
 
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
   bool possible = true;
+  const double spin = free_spin(model, slip_ratio, possible).value;
   for (const Interface i : kInterfaces) {
     PatchBalance& at = b.patches[i];
     at.friction.resize(model.threads[i].patches.size());
     at.normal_load.resize(model.threads[i].patches.size());
     at.power = 0.0;
-    b.other_sliding[i] = other_sliding(model, i, slip_ratio);
+    b.other_sliding[i] = other_sliding(model, i, slip_ratio, spin);
   }
   b.RollerBalance::operator=(balance_of(
-      model, slip_ratio, possible,
+      model, slip_ratio, spin, possible,
       [&](Interface i, std::size_t k, const contact::PatchFriction& friction, const PatchForces<double>& forces) {
         PatchBalance& at = b.patches[i];
         at.friction[k] = friction;
@@ -201,11 +250,11 @@ DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
   };
   const double c = m.geometry.centre_distance;
   const double roller_gear = roller_gear_radius(m.geometry);
-  const double gear_arm = m.geometry.is_standard() ? c + roller_gear : c - roller_gear;
+  const double gear_arm = m.geometry.carrier_on_nut() ? c + roller_gear : c - roller_gear;
   const double gears = gear_arm * b.forces.gears_y;
-  return {m.rollers * (about_axis(Interface::screw) + (m.geometry.is_standard() ? 0.0 : gears)) +
+  return {m.rollers * (about_axis(Interface::screw) + (m.geometry.carrier_on_nut() ? 0.0 : gears)) +
               sign(m.speed) * m.screw_torque,
-          m.rollers * (about_axis(Interface::nut) + (m.geometry.is_standard() ? gears : 0.0)) -
+          m.rollers * (about_axis(Interface::nut) + (m.geometry.carrier_on_nut() ? gears : 0.0)) -
               sign(m.speed) * m.nut_torque};
 }
 
@@ -218,7 +267,7 @@ PowerBySource lost_power(const SlipModel& m, const SlipBalance& b) {
 PowerFlow power_flow(const SlipModel& m, const SlipBalance& b) {
   const DriveTorques torques = drive_torques(m, b);
   const double advance = b.motion.nut_advance - b.motion.screw_advance;
-  return {(m.geometry.is_standard() ? torques.screw : torques.nut) * turning_speed(m.geometry.type, m.speed),
+  return {(m.geometry.carrier_on_nut() ? torques.screw : torques.nut) * turning_speed(m.geometry.type, m.speed),
           m.axial_force * advance};
 }
 

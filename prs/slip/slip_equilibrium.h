@@ -94,8 +94,9 @@ struct SlipBalance : RollerBalance {
 /// section 3.2): axial forces give the normal loads (3.11), (3.12), the carrier's moment the force that drives it
 /// (3.26), forces along the orbit the gears (3.28), radial ones the carrier's reaction (3.32). The arms of the gears
 /// are their operating pitch radii, c Gamma/(1 -+ Gamma) of the roller, so that forces and ratio are consistent for any
-/// backlash. `balance` is overwritten in place. Returns false if friction exceeds a contact's capacity, so that no
-/// normal load exists, or if numbers overflow.
+/// backlash. A roller without teeth spins as its own moments balance; its residue is the moment that teeth would have
+/// to give for the forces along the orbit to balance. `balance` is overwritten in place. Returns false if friction
+/// exceeds a contact's capacity, so that no normal load exists, or if numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 
 /// c |F_N|/N_R [N m], under preload with the load of both flanks: the unit of `relative_residue`. For an open nut c/N_R

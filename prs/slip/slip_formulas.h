@@ -135,7 +135,7 @@ template <class Real>
 Real roller_gear_radius(const KinematicGeometryOf<Real>& g) {
   using simd::select;
   const Real& gamma = g.gear_ratio;
-  return g.centre_distance * gamma / select(g.is_standard(), Real(1.0 - gamma), Real(1.0 + gamma));
+  return g.centre_distance * gamma / select(g.carrier_on_nut(), Real(1.0 - gamma), Real(1.0 + gamma));
 }
 
 /// Gears and carrier for a torque of the carrier on the roller, signed [N m].
@@ -144,8 +144,8 @@ RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBal
                                    const Number& roller_torque) {
   using simd::abs, simd::copysign, simd::select;
   const Real& c = m.geometry.centre_distance;
-  const Number orbit_speed =
-      against_frame(m.geometry.is_standard(), Number(b.motion.slip_ratio * m.speed), m.speed);  // Speed of omega_p/n.
+  const Number orbit_speed = against_frame(m.geometry.carrier_on_nut(), Number(b.motion.slip_ratio * m.speed),
+                                           m.speed);  // Speed of omega_p/n.
   const Real carrier_torque = copysign(Real(1.0), m.speed) * (m.nut_torque - m.screw_torque);
   RollerForcesOf<Number> f;
   f.contacts_x = b.interfaces.screw.force.x + b.interfaces.nut.force.x;
@@ -153,7 +153,7 @@ RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBal
   f.centrifugal = m.roller_mass * c * orbit_speed * orbit_speed;
   f.carrier_y = (m.rollers * roller_torque + carrier_torque) / (c * m.rollers);
   f.gears_y = f.carrier_y - f.contacts_y;
-  f.gears_x = select(m.geometry.is_standard(), Real(-1.0), Real(1.0)) * abs(f.gears_y) * m.gear_tangent;
+  f.gears_x = select(m.geometry.carrier_on_nut(), Real(-1.0), Real(1.0)) * abs(f.gears_y) * m.gear_tangent;
   f.carrier_x = f.gears_x + f.contacts_x + f.centrifugal;
   return f;
 }
@@ -217,14 +217,14 @@ Number moment_z(const contact::Vector2<Real>& point, const Real& axis_x, const c
   return (point.x - axis_x) * force.y - point.y * force.x;
 }
 
-/// Balances all except the moment about the roller's axis, see `balance_at`. `forces_at(i, sliding)`: `InterfaceForces`
-/// of the threads of an interface. `heads`: see `balance_carrier`.
+/// Balances all except the moment about the roller's axis, see `balance_at`. `spin`: see `kinematics`.
+/// `forces_at(i, sliding)`: `InterfaceForces` of the threads of an interface. `heads`: see `balance_carrier`.
 template <class Number, class Real, class Forces, class Heads>
-RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Number& slip_ratio, Forces forces_at,
-                                       Heads heads) {
+RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Number& slip_ratio, const Number& spin,
+                                       Forces forces_at, Heads heads) {
   using simd::select;
   RollerBalanceOf<Number> b;
-  b.motion = kinematics(m.geometry, m.speed, slip_ratio);
+  b.motion = kinematics(m.geometry, m.speed, slip_ratio, spin);
   b.moments.contacts = b.moments.spin = Number(Real(0.0));
   for (const Interface i : kInterfaces) {
     b.sliding[i] = patch_motion(m.frames[i], contact_motion(m.geometry, b.motion, i));
@@ -237,7 +237,7 @@ RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Numbe
   balance_carrier(m, b, heads);
   b.moments.carrier = b.carrier_roller_torque;
   b.moments.gears =
-      select(m.geometry.is_standard(), Real(1.0), Real(-1.0)) * roller_gear_radius(m.geometry) * b.forces.gears_y;
+      select(m.geometry.carrier_on_nut(), Real(1.0), Real(-1.0)) * roller_gear_radius(m.geometry) * b.forces.gears_y;
   return b;
 }
 

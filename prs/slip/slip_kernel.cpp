@@ -83,7 +83,7 @@ class Screws {
   SharedSlipBalance<Number> balance(const Number& slip_ratio) const {
     SharedSlipBalance<Number> found;
     found.roller = roller_balance(
-        numbers_.roller, slip_ratio,
+        numbers_.roller, slip_ratio, Number(Real(0.0)),
         [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
           const SharedContactNumbers<Real>& c = numbers_.contacts[i];
           const double* ratio = ratio_ + (i == Interface::screw ? 0 : shared_.domes * kLanes);

@@ -31,9 +31,9 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
   g.lead = contacts.threads.screw.lead;
   g.gear_ratio = gear_ratio(contacts.mechanism);
   g.lead_excess = contacts.threads.nut.lead - contacts.threads.screw.lead;
-  const contact::Thread& geared = thread_of(contacts.threads, geared_part(g.type));
-  g.migration_lead =
-      std::copysign(1.0, g.lead) * contacts.mechanism.starts.screw * (contacts.threads.roller.pitch - geared.pitch);
+  const contact::Thread& geared = thread_of(contacts.threads, carrier_part(g.type));
+  const double roller_pitch = contact::is_grooved(g.type) ? 0.0 : contacts.threads.roller.pitch;
+  g.migration_lead = std::copysign(1.0, g.lead) * contacts.mechanism.starts.screw * (roller_pitch - geared.pitch);
   g.centre_distance = contacts.threads.centre_distance;
   for (const Interface i : kInterfaces) g.points[i] = touching(contacts.interfaces[i].geometry, force).point.position;
   return g;
@@ -124,7 +124,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
                     const Oils& oils) {
   m.axial_force = axial_force_on_nut(load_case);
   m.speed = screw_speed(c, load_case);
-  m.rollers = mechanism.rollers;
+  m.rollers = loaded_rollers(mechanism);
   if (c.model.all_rollers() && load_case.share == LoadCase::Share::solved)
     m.rollers -= static_cast<int>(c.deviations.missing_rollers.size());
   m.screw_torque = c.carrier.screw_torque;
@@ -141,7 +141,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
     if (f.model == HeadFriction::Model::mixed)
       m.head_friction = {1.0, 0.5 * f.mixed.boundary * bearing->diameter, f.mixed.roughness, f.mixed.exponent};
   }
-  m.gear_tangent = std::tan(c.carrier.gear_pressure_angle);
+  m.gear_tangent = contact::is_grooved(mechanism.type) ? 0.0 : std::tan(c.carrier.gear_pressure_angle);
   m.roller_mass = roller_mass(c, mechanism);
   m.friction = *c.friction;
   m.film_direction = c.lubricant ? c.lubricant->film.direction : contact::FilmDirection::minor_axis;
@@ -158,7 +158,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
 void set_geometry(SlipModel& m, const Contacts& contacts) {
   m.geometry = kinematic_geometry(contacts, m.axial_force);
   m.frames = frames_of(contacts, m.axial_force);
-  const contact::Thread& geared = thread_of(contacts.threads, geared_part(contacts.mechanism.type));
+  const contact::Thread& geared = thread_of(contacts.threads, carrier_part(contacts.mechanism.type));
   m.pitch_excess = std::abs(contacts.threads.roller.pitch_radius / m.geometry.gear_ratio - geared.pitch_radius);
   if (m.pitch_excess <= contact::kSamePitch * geared.pitch_radius) m.pitch_excess = 0.0;
 }
@@ -266,7 +266,7 @@ std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded) const {
       (*nut.threads)[i].axial_load = part(loads.axial_load, other.axial_load);
     }
     const std::vector<double>& axial = nut.threads->screw.axial_load;
-    nut.load_case.axial_force = contacts_.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0);
+    nut.load_case.axial_force = loaded_rollers(contacts_.mechanism) * std::accumulate(axial.begin(), axial.end(), 0.0);
     const auto guide = static_cast<std::size_t>(row);
     if (loaded.running) {
       nut.running.emplace();

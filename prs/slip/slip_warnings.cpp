@@ -134,7 +134,8 @@ std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m
 
 /// Warns of rollers that migrate and of pitch cylinders that slide, for diameters and pitches as measured.
 void warn_of_measured_parts(const Contacts& contacts, const SlipResult& slip, std::vector<Warning>& warnings) {
-  const Part geared = geared_part(contacts.mechanism.type);
+  if (contact::is_grooved(contacts.mechanism.type)) return;
+  const Part geared = carrier_part(contacts.mechanism.type);
   if (slip.migration_per_turn != 0.0)
     warnings.push_back(Warning{"mechanism.pitch", "roller_migration",
                                fmt::format("the rollers run {} the {} by {{value}} per turn of the screw, if nothing "

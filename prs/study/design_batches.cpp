@@ -121,7 +121,9 @@ bool BarBatch::set_results(const Design& design, const LoadDetail& detail) {
   if (!design.has_contacts) return false;
   if (detail_ == ContactDetail::laws) {
     contacts_.get_laws(design.contacts, found_);
+    found_.mechanism.type = design.mechanism.type;
     found_.mechanism.rollers = design.mechanism.rollers;
+    found_.mechanism.rollers_unloaded = design.mechanism.rollers_unloaded;
   } else if (!contacts_.get(design.contacts, design.mechanism, design.threads, detail_, found_)) {
     return false;
   }
@@ -228,7 +230,8 @@ void SectorBatch::solve_sectors(ContactDetail detail, bool tangent_stiffness) {
 }
 
 bool SlipBatch::takes(const Case& c, std::span<const std::size_t> load_cases) const {
-  return c.materials && !c.heat && (designs_.empty() || c.model.patch_points == patch_points_) &&
+  return c.materials && !c.heat && !contact::is_grooved(c.mechanism.type) &&
+         (designs_.empty() || c.model.patch_points == patch_points_) &&
          std::ranges::all_of(load_cases, [&](std::size_t k) {
            return k < c.load_cases.size() && c.load_cases[k].share == LoadCase::Share::equal &&
                   screw_speed(c, c.load_cases[k]) != 0.0;

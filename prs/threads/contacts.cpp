@@ -85,8 +85,8 @@ void warn_of_kinematics(const Contacts& c, std::vector<Warning>& warnings) {
                                "{limit}: pitch cylinders slide on each other (Sandu 2018, (2.14))"}
                            .with(k.gear_ratio, gear_ratio(c.mechanism)));
   const PerPart<double> pitch = axial_pitches(c.mechanism);
-  const Part geared = geared_part(c.mechanism.type);
-  if (pitch.roller != pitch[geared])
+  const Part geared = carrier_part(c.mechanism.type);
+  if (!contact::is_grooved(c.mechanism.type) && pitch.roller != pitch[geared])
     warnings.push_back(Warning{"mechanism.pitch", "migration",
                                fmt::format("the rollers migrate along the {}: their pitch of {{value}} is not its "
                                            "{{limit}}; `slip` has the way per turn",

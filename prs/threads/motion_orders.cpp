@@ -9,8 +9,7 @@ namespace {
 constexpr double kSamePosition = 1e-9;
 
 double spin_order(const Mechanism& m, double slip_ratio) {
-  const double of_carrier = m.type == Mechanism::Type::standard ? slip_ratio : 1.0 - slip_ratio;
-  return static_cast<double>(m.starts.screw) / m.starts.roller * of_carrier;
+  return (carrier_part(m.type) == Part::nut ? slip_ratio : 1.0 - slip_ratio) / gear_ratio(m);
 }
 
 }  // namespace

@@ -867,6 +867,7 @@ _OF_NEW = {
     "rollers": ("rollers", "mechanism.rollers"),
     "nut diameter": ("nut_diameter", "structure.nut.outer_diameter"),
     "nut length": ("nut_length", "structure.nut.length"),
+    "roller diameter": ("roller_diameter", "mechanism.pitch_diameter.roller"),
     "profile radius": ("roller_profile_radius", "mechanism.profile.roller.convex"),
     "load": ("load", "load_cases[0].axial_force"),
     "speed": ("speed", "operation.speed"),
@@ -874,7 +875,9 @@ _OF_NEW = {
     "its temperature": ("temperature", "lubricant.temperature"),
 }
 
-_HEAD_OF_NEW = re.compile(r"# An? (standard|inverted) .*\n#\n# Given: ((?:.*\n# )+?)What was not")
+_HEAD_OF_NEW = re.compile(
+    r"# An? (standard|inverted|recirculating) .*\n#\n# Given: ((?:.*\n# )+?)What was not"
+)
 
 
 def _made_anew(text: str, overrides: list[str], error: InputError) -> str:

@@ -27,7 +27,7 @@ Length = Any
 
 
 def new(
-    type: Literal["standard", "inverted"] = "standard",
+    type: Literal["standard", "inverted", "recirculating"] = "standard",
     screw_diameter: Length | None = None,
     lead: Length | None = None,
     *,
@@ -35,6 +35,7 @@ def new(
     rollers: int | None = None,
     nut_diameter: Length | None = None,
     nut_length: Length | None = None,
+    roller_diameter: Length | None = None,
     roller_profile_radius: Length | None = None,
     load: Any | None = None,
     speed: Any | None = None,
@@ -52,10 +53,10 @@ def new(
 
     Parameters
     ----------
-    type : {"standard", "inverted"}, optional
-        Whether rollers keep their place on the nut or on the screw.
-    screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius : length, optional
-        `"25 mm"`, `(25, "mm")` or a quantity of pint.
+    type : {"standard", "inverted", "recirculating"}, optional
+        Whether rollers keep their place on the nut or on the screw, or have grooves and are led back.
+    screw_diameter, lead, nut_diameter, nut_length, roller_diameter, roller_profile_radius : length, optional
+        `"25 mm"`, `(25, "mm")` or a quantity of pint; the rollers' diameter of recirculating screws only.
     starts, rollers : int, optional
         Starts of the screw; rollers around it.
     load, speed, temperature : optional
@@ -141,10 +142,11 @@ def lubricants() -> pd.DataFrame:
 
 
 def configurations(
-    screw_diameter: Length,
-    lead: Length,
+    screw_diameter: Length | None = None,
+    lead: Length | None = None,
     *,
-    type: Literal["standard", "inverted"] | None = None,
+    nut_diameter: Length | None = None,
+    type: Literal["standard", "inverted", "recirculating"] | None = None,
     starts: int | None = None,
     roller_starts: int | None = None,
     rollers: int | None = None,
@@ -152,14 +154,14 @@ def configurations(
     flank_angle: Any | None = None,
     roller_profile_radius: Length | None = None,
 ) -> pd.DataFrame:
-    """The geometries that a screw diameter and a lead allow, one row each: `prs configurations`.
+    """The geometries that a screw or nut diameter and a lead allow, one row each: `prs configurations`.
 
     Parameters
     ----------
-    screw_diameter, lead, gap, roller_profile_radius : length
-        `"25 mm"`, `(25, "mm")` or a quantity of pint; the last two are optional.
-    type : {"standard", "inverted"}, optional
-        Both without it.
+    screw_diameter, lead, nut_diameter, gap, roller_profile_radius : length
+        `"25 mm"`, `(25, "mm")` or a quantity of pint; the lead and one of the diameters are needed.
+    type : {"standard", "inverted", "recirculating"}, optional
+        All without it.
     starts, roller_starts, rollers : int, optional
         All that fit without them.
     flank_angle : angle, optional

@@ -102,7 +102,7 @@ _ABSENT: tuple[tuple[str, str], ...] = (
     (r"life\.(tension|compression)\.", "no load has this direction"),
     (r"slip\.holding_torque", "the load does not drive"),
     (r"slip\.equal_shares", "running loads of a preloaded nut have no equal shares"),
-    (r"slip\..*jones", "the mechanism is inverted; the estimate is of standard ones"),
+    (r"slip\..*jones", "the estimate is of standard screws"),
     (r"slip\..*efficiency_fit|slip\..*(film|viscosity)", "the flanks have Coulomb friction"),
     (r"measures\.back_driving", "the screw locks itself, or the load does not drive"),
     (r"measures\.buckling", "the load does not compress the screw"),

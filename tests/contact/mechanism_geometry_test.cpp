@@ -196,6 +196,39 @@ TEST(MechanismGeometry, OriginsBringTheContactPointsTogether) {
   EXPECT_GT(checked, 30);
 }
 
+/// Rollers whose helix vanishes touch as rollers with grooves, to the first order of their lead.
+TEST(MechanismGeometry, AVanishingHelixTendsToGrooves) {
+  MechanismGeometry m{MechanismType::recirculating, test::thread(10, 2, 2), test::thread(8, 0, 2, 0.1),
+                      test::nut_thread(26, 2, 2), 18 * mm};
+  EXPECT_EQ(roller_lead(m.type, 2.0, 2.0, 0), 0.0);
+  const MechanismContact grooves = mechanism_contact(m, Configuration::i1_j2);
+  ASSERT_TRUE(grooves.ok());
+  for (const double share : {1e-2, 1e-4, 1e-6})
+    for (const double hand : {1.0, -1.0}) {
+      m.roller.lead = hand * share * m.roller.pitch;
+      const MechanismContact c = mechanism_contact(m, Configuration::i1_j2);
+      for (const auto interface : {&MechanismContact::screw, &MechanismContact::nut}) {
+        const InterfaceGeometry &a = c.*interface, &b = grooves.*interface;
+        EXPECT_NEAR(a.point.radius_on_body, b.point.radius_on_body, share * mm);
+        EXPECT_NEAR(a.point.normal_angle(), b.point.normal_angle(), share);
+        EXPECT_NEAR(a.relative.first, b.relative.first, share * b.relative.second);
+        EXPECT_NEAR(a.relative.second, b.relative.second, share * b.relative.second);
+      }
+    }
+}
+
+/// Rollers with grooves keep the radius of the draft, and the others follow for the backlash.
+TEST(MechanismGeometry, GroovedRollersAreDesignedForTheirBacklash) {
+  MechanismGeometry draft{MechanismType::recirculating, test::thread(10, 2, 2), test::thread(8, 0, 2, 0.1),
+                          test::nut_thread(0, 2, 2), 0.0};
+  const DesignResult d = design_by_backlash(draft, 1, 0, {0.01 * mm, 0.02 * mm});
+  ASSERT_TRUE(d.ok()) << name(d.status);
+  EXPECT_EQ(d.mechanism.roller.pitch_radius, draft.roller.pitch_radius);
+  EXPECT_NEAR(d.mechanism.nut.pitch_radius, 26 * mm, 1e-15);
+  EXPECT_NEAR(d.contact.screw.point.backlash, 0.01 * mm, 1e-14);
+  EXPECT_NEAR(d.contact.nut.point.backlash, 0.02 * mm, 1e-14);
+}
+
 TEST(MechanismGeometry, YaosClearanceIsHalfTheBacklashOfThreadsWithTheirThickness) {
   // Yao 2023, (55), with the thread thicknesses of table A1 and positive where (56) requires it.
   MechanismGeometry m = test::yao();

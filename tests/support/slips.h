@@ -61,6 +61,23 @@ inline prs::Case inverted(prs::Case c) {
   return c;
 }
 
+/// A recirculating screw of 20 x 2 mm with one start, four of whose five rollers carry.
+inline prs::Case recirculating() {
+  prs::Case c = sandu_reference();
+  prs::Mechanism& m = c.mechanism;
+  m.type = prs::Mechanism::Type::recirculating;
+  m.geometry = prs::Mechanism::Geometry::simulation;
+  m.lead = 2e-3;
+  m.starts = {1, 0};
+  m.pitch_diameter = {20e-3, 16e-3, 52e-3};
+  m.centre_distance = 18e-3;
+  m.profile.roller = {prs::Profile::Shape::convex, 10e-3};
+  m.rollers = 5;
+  m.contacts_per_roller = 20;
+  c.load_cases[0].axial_force = 20e3;
+  return c;
+}
+
 /// The case with the load driving in place of the screw.
 inline prs::Case turned_back(prs::Case c) {
   c.operation->speed = -c.operation->speed;

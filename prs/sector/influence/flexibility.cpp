@@ -205,10 +205,10 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure, const
                            Direction direction, const ModelOptions& model) {
   BodyGeometry b;
   b.roller_contacts = roller_contacts(model, m.starts.roller);
-  b.endless_screw = m.type == Mechanism::Type::standard;
+  b.endless_screw = carrier_part(m.type) == Part::nut;
   b.materials = materials;
   b.structure = structure;
-  b.rollers = m.rollers;
+  b.rollers = loaded_rollers(m);
   b.contacts = m.contacts_per_roller;
   for (const Part p : kParts) {
     const auto angle = [&](FlankSide side) {

@@ -262,7 +262,7 @@ InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts, 
   return meshed_or_refused([&]() -> InfluenceSolver {
     const BodyFlexibilities bodies =
         body_flexibilities(geometry, direction, position, flexibility_options(c.model.accuracy), cache);
-    return {bodies, contacts.mechanism.rollers, laws,
+    return {bodies, loaded_rollers(contacts.mechanism), laws,
             initial_gaps(contacts.mechanism, c.deviations, *c.materials,
                          {laws.screw.normal_angle, laws.nut.normal_angle}, direction)};
   });

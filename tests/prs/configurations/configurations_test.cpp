@@ -298,7 +298,15 @@ TEST(GearPairs, RunWithoutBacklashAtTheCentreDistance) {
 
 TEST(GearPairs, ExactModuleNeedsNoShift) {
   // Inverted, 21 and 7 mm: 14 : 42 of module 0.5 mm have the pitch circles of the threads.
-  const std::vector<GearPair> pairs = gear_pairs(inverted, {3, 1}, 14 * mm, 9, 0.0);
+  Mechanism m;
+  m.type = inverted;
+  m.starts = {3, 1};
+  m.lead = 5 * mm;
+  const auto of = [&](int rollers) {
+    m.rollers = rollers;
+    return m;
+  };
+  const std::vector<GearPair> pairs = gear_pairs(of(9), 14 * mm, 0.0);
   ASSERT_FALSE(pairs.empty());
   EXPECT_EQ(pairs[0].roller_teeth, 14);
   EXPECT_EQ(pairs[0].body_teeth, 42);
@@ -306,8 +314,9 @@ TEST(GearPairs, ExactModuleNeedsNoShift) {
   EXPECT_NEAR(pairs[0].profile_shift, 0.0, 1e-12);
   EXPECT_NEAR(pairs[0].working_pressure_angle, pi / 9, 1e-12);
   EXPECT_EQ(pairs[0].most_rollers, 9);
+  EXPECT_NEAR(pairs[0].tooth_misfit, 5 * mm / 3 / 14, 1e-15);  // One tooth turns the roller by a 14th of its lead.
   // Tips of 8 mm in diameter: 2 * 14 sin(pi/10) = 8.65 mm, sin(pi/11) gives 7.89 mm.
-  const std::vector<GearPair> crowded = gear_pairs(inverted, {3, 1}, 14 * mm, 11, 0.0);
+  const std::vector<GearPair> crowded = gear_pairs(of(11), 14 * mm, 0.0);
   const auto same = std::ranges::find_if(
       crowded, [&](const GearPair& p) { return p.roller_teeth == 14 && p.module == pairs[0].module; });
   ASSERT_NE(same, crowded.end());
@@ -343,6 +352,67 @@ TEST_F(ConfigurationsCommand, DocumentFilesAndTableAgree) {
   EXPECT_EQ(prs(asked + "--quiet").out, "");
 }
 
+/// Every start of an inverted screw is listed by default, and what is listed can be written.
+TEST_F(ConfigurationsCommand, WritesInvertedScrewsOfOneAndTwoStarts) {
+  for (const int starts : {1, 2}) {
+    const test::Outcome run = prs(fmt::format(
+        "configurations --screw-diameter '20 mm' --lead '2 mm' --type inverted --starts {0} --write 1 {0}.yaml",
+        starts));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto checked = nlohmann::json::parse(prs(fmt::format("check {}.yaml --json", starts)).out);
+    EXPECT_NEAR(checked["contact"]["pitch_diameter_mm"]["roller"].get<double>(), 20.0 / starts, 1e-9);
+  }
+  const auto all = nlohmann::json::parse(
+      prs("configurations --screw-diameter '20 mm' --lead '2 mm' --type inverted --json").out)["configurations"];
+  EXPECT_EQ(all[0]["starts"]["screw"], 1);
+  EXPECT_EQ(prs("new inverted one.yaml --screw-diameter 20mm --lead 2mm --starts 1").status, 0);
+}
+
+/// Screws of all starts in one nut: d_N = (D - 5.8 mm)/1.155 = d_S + 2 d_R by the rule of `prs new`.
+TEST_F(ConfigurationsCommand, ComparesStartsInOneNut) {
+  const test::Outcome json = prs("configurations --nut-diameter '50 mm' --lead '5 mm' --json");
+  ASSERT_EQ(json.status, 0) << json.err;
+  const auto document = nlohmann::json::parse(json.out);
+  ASSERT_GT(document["configurations"].size(), 8u);
+  for (const auto& one : document["configurations"]) {
+    EXPECT_NEAR(one["rolling_diameter_mm"]["nut"].get<double>(), (50.0 - 5.8) / 1.155, 1e-9);
+    EXPECT_EQ(one["nut_outer_diameter_mm"], 50.0);
+    EXPECT_GT(one["dynamic_capacity_kN"].get<double>(), 0.0);
+    const double rpm = one["greatest_speed_rpm"].get<double>();
+    EXPECT_NEAR(rpm * one["rolling_diameter_mm"]["screw"].get<double>(), 150e3, 1e-6);
+    EXPECT_NEAR(one["greatest_travel_mm_per_s"].get<double>(), rpm * 5.0 / 60.0, 1e-9);
+    if (one["type"] == "recirculating") {
+      EXPECT_EQ(one["gears"].size(), 0u);
+      EXPECT_EQ(one["rollers"]["unloaded"], 1);
+      EXPECT_FALSE(one["rollers"].contains("indexing_angle_deg"));
+      continue;
+    }
+    const auto& rollers = one["rollers"];
+    const double turn = 360.0 / one["starts"]["roller"].get<double>();
+    for (std::size_t k = 0; k < rollers["indexing_angles_deg"].size(); ++k)
+      EXPECT_NEAR(std::remainder(rollers["indexing_angles_deg"][k].get<double>() -
+                                     static_cast<double>(k) * rollers["indexing_angle_deg"].get<double>(),
+                                 turn),
+                  0.0, 1e-9);
+    for (const auto& pair : one["gears"])
+      EXPECT_NEAR(pair["tooth_misfit_mm"].get<double>() * pair["roller_teeth"].get<double>(),
+                  std::abs(one["lead_mm"]["roller"].get<double>()), 1e-12);
+  }
+  EXPECT_THAT(prs("configurations --nut-diameter '50 mm' --lead '5 mm'").out, HasSubstr("misfit"));
+  EXPECT_EQ(
+      prs("configurations --nut-diameter '50 mm' --lead '5 mm' --type standard --starts 5 --write 1 in.yaml").status,
+      0);
+  EXPECT_THAT(test::content_of(folder.path() / "in.yaml"), HasSubstr("outer_diameter: 50 mm"));
+}
+
+TEST_F(ConfigurationsCommand, WritesARecirculatingScrew) {
+  const test::Outcome run =
+      prs("configurations --screw-diameter '20 mm' --lead '2 mm' --type recirculating --write 1 case.yaml");
+  ASSERT_EQ(run.status, 0) << run.err;
+  for (const char* command : {"check", "contact", "solve", "slip", "measures", "life"})
+    EXPECT_EQ(prs(fmt::format("{} case.yaml --quiet", command)).status, 0) << command;
+}
+
 TEST_F(ConfigurationsCommand, WritesACaseThatChecks) {
   const std::string asked = "configurations --screw-diameter '21 mm' --lead '5 mm' --starts 3 ";
   const test::Outcome run = prs(asked + "--type inverted --rollers 9 --write 1 case.yaml");
@@ -367,6 +437,10 @@ TEST_F(ConfigurationsCommand, RefusesWhatIsWrong) {
            {"--screw-diameter '21 mm' --lead '0 mm'", "--lead: got 0 mm"},
            {"--screw-diameter '21 m' --lead '5 mm'", "check the unit"},
            {"--screw-diameter '21 mm'", "--lead is missing"},
+           {"--lead '5 mm'", "--screw-diameter: missing; expected this or `--nut-diameter`"},
+           {sound + "--nut-diameter '50 mm'", "--screw-diameter: got it and the nut's"},
+           {"--nut-diameter '4 mm' --lead '1 mm'", "the nut is thinner than its wall"},
+           {sound + "--type recirculating --roller-starts 1", "its rollers have grooves, no starts"},
            {sound + "--flank-angle '80 deg'", "20 deg to 70 deg"},
            {sound + "--gap '-1 mm'", "--gap: got -1 mm"},
            {sound + "--starts 0", "--starts"},

@@ -147,6 +147,23 @@ TEST(LoadDistribution, RollerIsInForceAndMomentBalance) {
   }
 }
 
+/// Grooves change contacts, not bodies: with the same contact constants a sector of a recirculating screw is that of a
+/// standard one with as many rollers as carry.
+TEST(LoadDistribution, GroovedRollersShareAsThreadedOnes) {
+  SectorCase standard = abevi(), grooved = abevi();
+  standard.mechanism.type = Mechanism::Type::standard;
+  grooved.mechanism.type = Mechanism::Type::recirculating;
+  grooved.mechanism.starts.roller = 0;
+  grooved.mechanism.rollers += 1;
+  const double force = 45e3;
+  const LoadDistribution a = solve(standard, force), b = solve(grooved, force);
+  for (const Interface i : kInterfaces) {
+    EXPECT_LT(largest_difference(rates(standard, a, i, force), rates(standard, b, i, force)), 1e-14);
+    EXPECT_NEAR(sum(rates(standard, b, i, force)), 1.0, 1e-10);
+  }
+  EXPECT_DOUBLE_EQ(a.axial_displacement, b.axial_displacement);
+}
+
 TEST(LoadDistribution, RigidBodiesShareEqually) {
   SectorCase c = abevi();
   for (const Part p : kParts) c.materials[p].youngs_modulus = 209e15;

@@ -437,6 +437,27 @@ TEST(Slip, BothSensesStandInOneListOfCases) {
   expect_as_plain(c, result, 1e-10);
 }
 
+/// A roller without teeth is in balance along its orbit and about its axis, so that power and torques close.
+TEST(Slip, AGroovedRollerBalancesWithoutTeeth) {
+  for (const auto& [c, name] : {std::pair{test::recirculating(), "screw"},
+                                {test::turned_back(test::with_coulomb(test::recirculating(), 1e-3)), "load"},
+                                {test::reversed(test::recirculating()), "other sense"},
+                                {test::left_handed(test::with_coulomb(test::recirculating(), 0.1)), "left hand"}}) {
+    const Result result = analyze_slip(c);
+    const SlipResult& s = *result.load_cases[0].slip;
+    ASSERT_TRUE(s.converged()) << name;
+    EXPECT_NEAR(s.power_loss_input_output, s.power.total(), 1e-9 * s.power.total()) << name;
+    EXPECT_NEAR(s.torque_screw, -s.torque_nut, 1e-9 * std::abs(s.torque_screw)) << name;
+    EXPECT_NEAR(s.forces.gears_y, 0.0, 1e-9 * std::abs(c.load_cases[0].axial_force)) << name;
+    EXPECT_NEAR(s.moments.contacts + s.moments.spin + s.moments.carrier, 0.0, 1e-9 * std::abs(s.moments.spin)) << name;
+    EXPECT_NEAR(s.travel_per_turn, 2e-3, 1e-18) << name;
+    EXPECT_NEAR(s.slip_ratio, s.ideal_slip_ratio, 0.05) << name;
+  }
+  const SlipResult free = *analyze_slip(test::with_coulomb(test::recirculating(), 0.0)).load_cases[0].slip;
+  EXPECT_EQ(free.slip_ratio, free.ideal_slip_ratio);
+  EXPECT_NEAR(*free.efficiency, 1.0, 1e-12);
+}
+
 TEST(Slip, WithoutFrictionTheIdealSlipRatioAndFullEfficiencyRemain) {
   const SlipResult s = slip_of(test::with_coulomb(test::sandu_reference(), 0.0));
   EXPECT_EQ(s.status, SlipStatus::converged);

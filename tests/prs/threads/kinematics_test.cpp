@@ -78,6 +78,29 @@ TEST(Kinematics, ContactsNeitherPartNorPenetrate) {
   }
 }
 
+/// Rollers with grooves stay on both threads however they orbit and spin, the travel is the lead, and without slip at
+/// the pitch radii the carrier turns with d_S/(2 (d_S + d_R)) of the screw.
+TEST(Kinematics, GroovedRollersStayOnBothThreads) {
+  for (const double hand : {1.0, -1.0}) {
+    Case c = test::recirculating();
+    c.mechanism.lead *= hand;
+    const Contacts contacts = find_contacts(c.mechanism, c.materials);
+    const KinematicGeometry g = kinematic_geometry(contacts, 1.0);
+    for (const double slip : {0.1, 0.25, 0.8})
+      for (const double spin : {-0.3, 0.0, 0.4}) {
+        const Kinematics k = kinematics(g, 1.0, slip, spin);
+        for (const Interface i : kInterfaces)
+          EXPECT_LT(std::abs(contact_motion(g, k, i).sliding.dot(contacts.interfaces[i].geometry.point.normal)),
+                    1e-12 * g.centre_distance);
+        EXPECT_EQ(travel_per_turn(g, slip), c.mechanism.lead);
+        EXPECT_NEAR(k.roller_advance - k.nut_advance, c.mechanism.lead * slip / (2 * std::numbers::pi), 1e-15);
+      }
+    const double screw = *c.mechanism.pitch_diameter.screw, roller = *c.mechanism.pitch_diameter.roller;
+    EXPECT_NEAR(ideal_slip_ratio(g), 0.5 * screw / (screw + roller), 1e-15);
+    EXPECT_FALSE(slip_estimates(g).jones);
+  }
+}
+
 /// (2.16), (2.17) as printed.
 TEST(Kinematics, IdealSlipRatioIsThatOfThePaper) {
   std::mt19937_64 random(8);

@@ -26,5 +26,5 @@ export const texts = {
   place: ({ roller, thread, manyRollers }) =>
     manyRollers ? `roller ${roller}, thread ${thread}` : `thread ${thread} of each roller`,
   unloaded: 'no load',
-  types: { standard: 'Standard', inverted: 'Inverted' },
+  types: { standard: 'Standard', inverted: 'Inverted', recirculating: 'Recirculating' },
 };

@@ -76,6 +76,7 @@ const table = {
   kind: 'Kind',
   standard: 'standard: rollers stay in place on the nut',
   inverted: 'inverted: rollers stay in place on the screw',
+  recirculating: 'recirculating: rollers with grooves, led back in the nut',
   screw_diameter: 'Screw diameter',
   lead: 'Lead',
   starts: 'Starts',
