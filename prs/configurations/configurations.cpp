@@ -165,7 +165,7 @@ Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechan
   c.nut_diameter = query.nut_diameter;
   try {
     const CompleteScrew written = complete_screw(data_of(c));
-    c.dynamic_capacity = require_capacity(written);
+    c.dynamic_capacity = required_capacity(written);
     c.outer_diameter = written.c.structure->nut.outer_diameter;
   } catch (const CaseError& error) {
     return {"no case can be written of it", fmt::format("{}: {}", error.path(), error.what())};
