@@ -8,6 +8,7 @@
 
 #include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/linearised.h"
+#include "prs/threads/kinematics.h"
 
 namespace prs {
 namespace {
