@@ -14,7 +14,7 @@ enum class MechanismType : std::int64_t {
 inline constexpr std::array kMechanismTypes = {MechanismType::standard, MechanismType::inverted,
                                                MechanismType::recirculating};
 
-/// What distinguishes a type of mechanism from the others.
+/// Facts that distinguish a type of mechanism from the others.
 struct TypeFacts {
   std::string_view name;
   std::string_view meaning;

@@ -104,7 +104,7 @@ struct Configuration {
   PerPart<double> helix_angle;         ///< Helix angle with the sign of the lead [rad].
   int most_rollers = 0;                ///< Largest number of rollers that fit with the gap; any smaller number meshes.
   double crest_gap = 0.0;              ///< Gap between neighbours with mechanism.rollers [m].
-  std::optional<double> nut_diameter;  ///< Outer diameter of the nut, if it was asked for [m].
+  std::optional<double> nut_diameter;  ///< Outer diameter of the nut that the query states [m].
   double outer_diameter = 0.0;         ///< Outer diameter of the nut of the written case [m].
   double dynamic_capacity = 0.0;       ///< Lemor's C_a of the written case [N].
   double greatest_speed = 0.0;  ///< Speed of screw against nut at the makers' limit of speed times diameter [rad/s].

@@ -9,6 +9,7 @@
 #include "prs/indices.h"
 #include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/linearised.h"
+#include "prs/threads/kinematics.h"
 
 namespace prs {
 namespace {

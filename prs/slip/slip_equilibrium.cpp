@@ -129,15 +129,15 @@ Dual<double> toothless_moment(const SlipModel& model, const Dual<double>& slip_r
 Dual<double> free_spin(const SlipModel& model, double slip_ratio, bool& possible) {
   if (!contact::is_grooved(model.geometry.type)) return {0.0, 0.0};
   constexpr int kMostSteps = 100;
-  constexpr double kFirstStep = 1e-2, kTolerance = 1e-13, kGreatest = 1e3;
-  double low = -std::numeric_limits<double>::infinity(), high = -low, step = kFirstStep, spin = 0.0;
+  constexpr double kFirstSpin = 1e-2, kSpinTolerance = 1e-13, kGreatestSpin = 1e3;
+  double low = -std::numeric_limits<double>::infinity(), high = -low, step = kFirstSpin, spin = 0.0;
   Dual<double> moment(0.0, 0.0);
   for (int k = 0; k < kMostSteps; ++k) {
     moment = toothless_moment(model, {slip_ratio, 0.0}, {spin, 1.0}, possible);
     if (!possible || std::abs(moment.value) <= 1e-16) break;
     (moment.value > 0.0 ? high : low) = spin;
     const double newton = spin - moment.value / moment.slope;
-    const bool last = std::abs(newton - spin) <= kTolerance, bounded = std::isfinite(high - low);
+    const bool last = std::abs(newton - spin) <= kSpinTolerance, bounded = std::isfinite(high - low);
     if (last || (newton > low && newton < high && bounded)) {
       spin = newton;
     } else if (bounded) {
@@ -145,7 +145,7 @@ Dual<double> free_spin(const SlipModel& model, double slip_ratio, bool& possible
     } else {
       spin -= std::copysign(std::min(std::abs(newton - spin), step), moment.value);
       step *= 4.0;
-      possible = std::abs(spin) < kGreatest;
+      possible = std::abs(spin) < kGreatestSpin;
     }
     if (last || !possible) break;
   }

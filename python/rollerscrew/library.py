@@ -54,9 +54,11 @@ def new(
     Parameters
     ----------
     type : {"standard", "inverted", "recirculating"}, optional
-        Whether rollers keep their place on the nut or on the screw, or have grooves and are led back.
-    screw_diameter, lead, nut_diameter, nut_length, roller_diameter, roller_profile_radius : length, optional
-        `"25 mm"`, `(25, "mm")` or a quantity of pint; the rollers' diameter of recirculating screws only.
+        Rollers that keep their place on the nut, on the screw, or with grooves, led back.
+    screw_diameter, lead, nut_diameter, nut_length : length, optional
+        `"25 mm"`, `(25, "mm")` or a quantity of pint.
+    roller_diameter, roller_profile_radius : length, optional
+        The diameter for recirculating screws only.
     starts, rollers : int, optional
         Starts of the screw; rollers around it.
     load, speed, temperature : optional
@@ -154,12 +156,12 @@ def configurations(
     flank_angle: Any | None = None,
     roller_profile_radius: Length | None = None,
 ) -> pd.DataFrame:
-    """The geometries that a screw or nut diameter and a lead allow, one row each: `prs configurations`.
+    """The geometries that a diameter and a lead allow, one row each: `prs configurations`.
 
     Parameters
     ----------
     screw_diameter, lead, nut_diameter, gap, roller_profile_radius : length
-        `"25 mm"`, `(25, "mm")` or a quantity of pint; the lead and one of the diameters are needed.
+        `"25 mm"`, `(25, "mm")` or a quantity of pint; lead and one diameter are needed.
     type : {"standard", "inverted", "recirculating"}, optional
         All without it.
     starts, roller_starts, rollers : int, optional
