@@ -107,7 +107,7 @@ std::vector<std::string> companions(const input::Source& source) {
   std::vector<std::string> names;
   for (const char* path : {"life.history.file", "motion.history.file", "candidates.catalogue.file"})
     if (const input::Node* file = input::find_path(root, path)) names.push_back(file->text);
-  for (const char* path : {"fit.curves", "references"})
+  for (const char* path : {"fit.curves", "references", "candidates.catalogue"})
     if (const input::Node* curves = input::find_path(root, path))
       for (const input::Node& curve : curves->children)
         if (const input::Node* file = find(curve, "file"); file && !std::ranges::count(names, file->text))

@@ -798,8 +798,8 @@ TEST(SizePreload, IsThatOfAPreloadedNut) {
   EXPECT_LT(*b.life.hours, *a.life.hours);
   EXPECT_GT(*b.stiffness, *a.stiffness);
   EXPECT_LT(*b.efficiency, *a.efficiency);
-  const Case written =
-      input::read_case(input::source_of_text("written.yaml", written_candidate(tight.input, b), {}), Command::life);
+  const input::Source source = input::source_of_text("written.yaml", written_candidate(tight.input, b), {});
+  const Case written = input::read_case_input(source, Command::life).values;
   expect_near_relative(*b.life.revolutions,
                        analyze_life(written).system_life * tight.input.cycle.travel / tight.input.cycle.loaded_travel,
                        1e-9);
