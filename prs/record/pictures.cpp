@@ -441,7 +441,10 @@ std::string shown_name(std::string_view name) {
 Figure in_kilonewtons(Figure figure) { return in_unit(std::move(figure), {"N", "kN", 1e-3, 1e4}); }
 
 Figure in_page_units(Figure figure) {
-  return in_unit(in_unit(std::move(figure), {"N", "kN", 1e-3, 1e3}), {"MPa", "GPa"});
+  for (const UnitChange& change :
+       {UnitChange{"N", "kN", 1e-3, 1e3}, {"MPa", "GPa"}, {"um", "µm", 1.0}, {"degC", "°C", 1.0}})
+    figure = in_unit(std::move(figure), change);
+  return figure;
 }
 
 Figure in_unit(Figure figure, const UnitChange& change) {
