@@ -434,6 +434,12 @@ std::string shown_name(std::string_view name) {
   return shortened(printable(name), kMost);
 }
 
+Figure in_page_units(Figure figure) {
+  for (const UnitChange& change : {UnitChange{"um", "µm", 1.0}, {"degC", "°C", 1.0}})
+    figure = in_unit(std::move(figure), change);
+  return figure;
+}
+
 Figure in_unit(Figure figure, const UnitChange& change) {
   const auto scale = [&](auto&... values) { ((values *= change.factor), ...); };
   const auto scale_all = [&](std::vector<double>& values) {

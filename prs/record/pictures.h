@@ -155,6 +155,9 @@ struct UnitChange {
 };
 Figure in_unit(Figure figure, const UnitChange& change);
 
+/// The figure with the signs of pages for its SI units: µm, °C.
+Figure in_page_units(Figure figure);
+
 /// Adds to every panel a dashed line at `mean`, the load of each thread if all had the same.
 void add_mean(Figure& figure, double mean);
 

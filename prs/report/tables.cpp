@@ -364,7 +364,7 @@ Figure with_table_units(Figure figure) {
 
 std::string svg(const Figure& drawn, const std::string& id) {
   const Figure figure =
-      with_ranges(with_true_legend(table_system() == UnitSystem::us ? with_table_units(drawn) : drawn));
+      with_ranges(with_true_legend(table_system() == UnitSystem::us ? with_table_units(drawn) : in_page_units(drawn)));
   std::string all = "<div class=\"panels\">";
   for (const auto k : indices(figure.panels)) all += image(figure, k, id);
   all += "</div>";

@@ -165,6 +165,14 @@ TEST(ReportUnits, AreOfOneKind) {
   EXPECT_DOUBLE_EQ(report_unit("peak_pressure_MPa", "MPa").factor, 1e-3);
 }
 
+TEST(PageSvg, HasTheSignsOfPrint) {
+  Figure figure{"travel", "Travel"};
+  figure.x = {"Row", "", 0.0, 1.0};
+  figure.y = {"Travel", "um", 0.0, 1.0};
+  figure.panels.emplace_back().series = {{figure.add("a", line_of(Colour::blue)), {{{0.0, 0.0}, {1.0, 1.0}}}}};
+  EXPECT_THAT(svg(figure, "f"), HasSubstr("Travel (µm)"));
+}
+
 TEST(PageSvg, HasAnImageForEachPanel) {
   Figure figure{"two", "Two panels"};
   figure.columns = 2;
