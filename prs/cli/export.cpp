@@ -23,7 +23,7 @@ struct Form {
   const char* option;
   const char* ending;
   bool ExportOptions::*is_asked_for;
-  std::string (*make)(const SystemModel&, const std::optional<RobotConstants>&);
+  std::string (*make)(const SystemModel&, const nlohmann::ordered_json&);
 
   std::string extension() const { return std::filesystem::path(std::string("NAME") + ending).extension().string(); }
 };
@@ -33,9 +33,9 @@ constexpr Form kForms[] = {
     {"--modelica", ".mo", &ExportOptions::modelica,
      [](const SystemModel& m, const auto&) { return modelica_package(m.curves, m.text); }},
     {"--mjcf", ".mjcf.xml", &ExportOptions::mjcf,
-     [](const SystemModel& m, const auto& robot) { return mjcf(with_mass(*m.drive), *robot, m.text); }},
+     [](const SystemModel& m, const auto& robot) { return mjcf(with_mass(*m.drive), robot, m.text); }},
     {"--urdf", ".urdf", &ExportOptions::urdf,
-     [](const SystemModel& m, const auto& robot) { return urdf(with_mass(*m.drive), *robot, m.text); }},
+     [](const SystemModel& m, const auto& robot) { return urdf(with_mass(*m.drive), robot, m.text); }},
 };
 
 std::vector<const Form*> forms_of(const ExportOptions& options) {
@@ -88,8 +88,7 @@ struct Destination {
 };
 
 Destination destination_of(const std::vector<const Form*>& forms, const SystemModel& model, const SystemModel& unit,
-                           const std::optional<RobotConstants>& robot,
-                           const std::optional<std::filesystem::path>& output) {
+                           const nlohmann::ordered_json& robot, const std::optional<std::filesystem::path>& output) {
   Destination place;
   const bool is_file = output && forms.size() == 1 && is_file_of(*forms.front(), *output);
   if (output) place.folder = is_file ? output->parent_path() : *output;
@@ -98,7 +97,7 @@ Destination destination_of(const std::vector<const Form*>& forms, const SystemMo
     const std::string file = is_file ? output->filename().string() : model.text.name + form->ending;
     place.files.push_back({file, form->make(is_unit ? unit : model, robot)});
     if (form->is_asked_for == &ExportOptions::mjcf)
-      place.files.push_back(mujoco_callback(*model.drive, *robot, model.text, file));
+      place.files.push_back(mujoco_callback(with_mass(*model.drive), robot, model.text, file));
   }
   return place;
 }
@@ -136,7 +135,7 @@ int export_model(const Options& options) {
                                          for_robots              ? WithDrive::needed
                                          : o.fmu && !o.is_static ? WithDrive::stated
                                                                  : WithDrive::never);
-  std::optional<RobotConstants> robot;
+  nlohmann::ordered_json robot;
   std::optional<double> friction_load;
   if (o.friction_load) friction_load = positive_option("--friction-load", *o.friction_load, input::unit::force, "N");
   if (for_robots)
@@ -152,7 +151,7 @@ int export_model(const Options& options) {
   if (options.json) {
     nlohmann::ordered_json document = document_head(model.info, model.curves.warnings);
     document["export"] = curves_json(model.curves);
-    if (robot) document["export"]["robot"] = robot_json(*robot);
+    if (!robot.is_null()) document["export"]["robot"] = robot;
     if (lever) document["export"]["lever"] = object_of(*lever);
     for (const OutputFile& file : place.files)
       document["export"]["files"].push_back({{"path", place.path(file)}, {"sha256", sha256(file.content)}});

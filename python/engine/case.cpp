@@ -130,7 +130,7 @@ std::vector<std::string> CaseSource::export_model(const std::string& file, std::
                                    : ending == ".fmu" ? WithDrive::stated
                                                       : WithDrive::never);
   model.text.name = model_name(file);
-  std::optional<RobotConstants> robot;
+  nlohmann::ordered_json robot;
   if (for_robots)
     robot = input::compute_from(*source_, [&] { return robot_constants(model, friction_load, play_joint); });
   const auto write = [&](const OutputFile& out) {
@@ -138,10 +138,10 @@ std::vector<std::string> CaseSource::export_model(const std::string& file, std::
     staged.append(out.content);
     staged.publish();
   };
-  if (ending == ".xml") write(mujoco_callback(*model.drive, *robot, model.text, path.filename()));
+  if (ending == ".xml") write(mujoco_callback(*model.drive, robot, model.text, path.filename()));
   write({path.filename(), ending == ".mo"     ? modelica_package(model.curves, model.text)
-                          : ending == ".xml"  ? mjcf(*model.drive, *robot, model.text)
-                          : ending == ".urdf" ? urdf(*model.drive, *robot, model.text)
+                          : ending == ".xml"  ? mjcf(*model.drive, robot, model.text)
+                          : ending == ".urdf" ? urdf(*model.drive, robot, model.text)
                                               : functional_mockup_unit(model)});
   return sentences(model.curves.warnings);
 }

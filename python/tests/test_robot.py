@@ -242,7 +242,7 @@ def test_file_document_and_module_have_the_same_table(
     }.items():
         np.testing.assert_allclose(losses[key], values, rtol=1e-5, err_msg=key)
     # Without a coupling a motor's friction would be on the screw; here it has a slide of its own.
-    assert losses["drag_N"] == pytest.approx(0.18 / REACH)
+    assert export["robot"]["drag_N"] == pytest.approx(0.18 / REACH)
     assert screw.DRAG == pytest.approx(0.1 / REACH)
     for file in (f"{stem}.mjcf.xml", f"{stem}.urdf"):
         text = (tmp_path / file).read_text()
