@@ -375,20 +375,24 @@ def _cloud(answers: Designs, x: str, y: str, colour: str | None) -> dict[str, An
     described: dict[str, Any] = {
         "name": "designs",
         "styles": [{"colour": "blue", "dash": "none", "mark": "circle", "weight": "thin"}],
-        "x": _axis(x),
-        "y": _axis(y),
+        "x": _axis(answers, x),
+        "y": _axis(answers, y),
         "panels": [{"series": [series]}],
     }
     if colour is not None:
         series |= {"parts": values[:, None, :2], "values": values[:, 2]}
         ends = {"from": values[:, 2].min(), "to": values[:, 2].max()}
-        described["colours"] = _axis(colour) | ends
+        described["colours"] = _axis(answers, colour) | ends
     return described
 
 
-def _axis(name: str) -> dict[str, Any]:
+def _axis(answers: Designs, name: str) -> dict[str, Any]:
+    """Title in words and unit; of an input as those of studies: `Axial force`."""
     label, unit = _engine.response_title(name)
-    return {"label": label[:1].upper() + label[1:], "unit": unit}
+    if name in answers.inputs:
+        path, unit = _path_and_unit(name)
+        label = re.sub(r"[._]", " ", path.partition(".")[2] or path)
+    return {"label": label[:1].upper() + label[1:], "unit": unit.replace("um", "µm")}
 
 
 def _numbers(answers: Designs, name: str) -> npt.NDArray[np.float64]:
@@ -432,7 +436,12 @@ def study_inputs(study: _engine.Study) -> pd.DataFrame:
         zip(study.factor_names(), study.factor_words(), strict=True)
     ):
         numbers = values[:, column]
-        columns[name] = [words[int(k)] for k in numbers] if words else numbers
+        if words:
+            columns[name] = [words[int(k)] for k in numbers]
+        elif not _path_and_unit(name)[1] and np.all(numbers == np.round(numbers)):
+            columns[name] = numbers.astype(np.int64)  # Counts.
+        else:
+            columns[name] = numbers
     return pd.DataFrame(columns)
 
 

@@ -662,6 +662,7 @@ def test_designs_as_points() -> None:
     ax = answers.plot(force, stiffness, stiffness)
     np.testing.assert_array_equal(ax.collections[0].get_array(), answers[stiffness])
     assert ax.get_ylabel() == other_axes(ax)[0].get_ylabel() == "Axial stiffness (N/µm)"
+    assert ax.get_xlabel() == "Axial force (kN)"
     with pytest.raises(KeyError, match="no column 'x'"):
         answers.plot("x", stiffness)
 
