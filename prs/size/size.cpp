@@ -514,13 +514,13 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
 }
 
 Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& k) {
-  constexpr double kSteel = 460.0;  // Specific heat [J/(kg K)].
+  constexpr double kSpecificHeat = 460.0;  // Specific heat [J/(kg K)].
   const Requirement::Surroundings surroundings = in.values.heat.value_or(Requirement::Surroundings{});
   Heat heat{.ambient = surroundings.ambient, .conductance = k};
   if (in.values.has_mission()) {
     heat.cycles = surroundings.cycles;
     heat.start = surroundings.start;
-    heat.specific_heat = kSteel;
+    heat.specific_heat = kSpecificHeat;
   } else {
     heat.losses = Heat::Losses::stated;
   }
