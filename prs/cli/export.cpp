@@ -33,9 +33,9 @@ constexpr Form kForms[] = {
     {"--modelica", ".mo", &ExportOptions::modelica,
      [](const SystemModel& m, const auto&) { return modelica_package(m.curves, m.text); }},
     {"--mjcf", ".mjcf.xml", &ExportOptions::mjcf,
-     [](const SystemModel& m, const auto& robot) { return mjcf(with_mass(*m.drive), robot, m.text); }},
+     [](const SystemModel& m, const auto& robot) { return mjcf(*m.drive, robot, m.text); }},
     {"--urdf", ".urdf", &ExportOptions::urdf,
-     [](const SystemModel& m, const auto& robot) { return urdf(with_mass(*m.drive), robot, m.text); }},
+     [](const SystemModel& m, const auto& robot) { return urdf(*m.drive, robot, m.text); }},
 };
 
 std::vector<const Form*> forms_of(const ExportOptions& options) {
@@ -97,7 +97,7 @@ Destination destination_of(const std::vector<const Form*>& forms, const SystemMo
     const std::string file = is_file ? output->filename().string() : model.text.name + form->ending;
     place.files.push_back({file, form->make(is_unit ? unit : model, robot)});
     if (form->is_asked_for == &ExportOptions::mjcf)
-      place.files.push_back(mujoco_callback(with_mass(*model.drive), robot, model.text, file));
+      place.files.push_back(mujoco_callback(*model.drive, robot, model.text, file));
   }
   return place;
 }
@@ -131,10 +131,11 @@ int export_model(const Options& options) {
   const ExportOptions& o = options.export_model;
   const bool for_robots = o.mjcf || o.urdf;
   const input::Source source = case_source(options);
-  const SystemModel model = system_model(source, asked,
-                                         for_robots              ? WithDrive::needed
-                                         : o.fmu && !o.is_static ? WithDrive::stated
-                                                                 : WithDrive::never);
+  SystemModel model = system_model(source, asked,
+                                   for_robots              ? WithDrive::needed
+                                   : o.fmu && !o.is_static ? WithDrive::stated
+                                                           : WithDrive::never);
+  if (for_robots) model.drive = with_mass(*model.drive);
   nlohmann::ordered_json robot;
   std::optional<double> friction_load;
   if (o.friction_load) friction_load = positive_option("--friction-load", *o.friction_load, input::unit::force, "N");

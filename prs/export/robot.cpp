@@ -109,9 +109,10 @@ Json slides_of(const PrsDrive& drive, const ResponseInput& in, double r, const J
   }
   const double steepest = (force.end()[-2] - force.end()[-3]) / (way.end()[-2] - way.end()[-3]);
   double fastest = steepest * (1.0 / in.load.mass + 1.0 / screw);
-  BoundSignal load(in.load.force.terms());
+  BoundSignal load(in.load.acting().terms());
   load.bind(0.0);
-  const double start = in.start.deflection.value_or(deflection(load.at(0.0).value));
+  const double ratio = in.load.linkage ? prs_lever_at(&drive, drive.start_position).ratio : 1.0;
+  const double start = in.start.deflection.value_or(deflection(load.at(0.0).value / ratio));
   const double at = std::max(robot["friction_load_N"].get<double>(), 1e-3 * largest);
   const double stiffness = 2.0 * at / (deflection(at) - deflection(-at) - play);
   const double damping = stiffness * drive.material_damping, both = 1.0 / (1.0 / screw + 1.0 / in.load.mass);
