@@ -55,13 +55,14 @@ std::optional<InSeries> in_series(const MeasuresResult& r, const JudgedCase& of,
     return InSeries{"Stiffness of the axis",
                     1.0 / m->system_stiffness->total - (mechanism ? 1.0 / mechanism->stiffness : 0.0)};
   }
-  const std::optional<double>& shaft = r.measures.shaft_stiffness;
-  const std::optional<double> bearing = of.c.bearings ? of.c.bearings->fixed.stiffness : std::nullopt;
-  if (!shaft && !bearing) return std::nullopt;
-  return InSeries{!bearing ? "Stiffness with the shaft"
-                  : shaft  ? "Stiffness with shaft and bearing"
-                           : "Stiffness with the bearing",
-                  (shaft ? 1.0 / *shaft : 0.0) + (bearing ? 1.0 / *bearing : 0.0)};
+  const auto compliance = [](const std::optional<double>& k) { return k ? 1.0 / *k : 0.0; };
+  const double shaft = compliance(r.measures.shaft_stiffness),
+               bearing = of.c.bearings ? compliance(of.c.bearings->fixed.stiffness) : 0.0;
+  if (shaft + bearing == 0.0) return std::nullopt;
+  return InSeries{bearing == 0.0 ? "Stiffness with the shaft"
+                  : shaft > 0.0  ? "Stiffness with shaft and bearing"
+                                 : "Stiffness with the bearing",
+                  shaft + bearing};
 }
 
 }  // namespace

@@ -309,12 +309,6 @@ Figure gain_figure(const StudyResult& result, std::size_t response, const std::v
   return ranked_bars(std::move(figure), names, values, {"gain", "loss"});
 }
 
-/// Value of a factor in a drawn design.
-std::optional<double> value_of(const StudyRow& row, std::size_t factor) {
-  const auto setting = std::ranges::find(row.design.settings, factor, &Setting::factor);
-  return setting == row.design.settings.end() ? std::nullopt : setting->level.number;
-}
-
 /// Value of the surface over one factor, the others in the middle of their ranges.
 Polyline line_of_fit(const FactorEffect& effect, double intercept, const NormalisedFactor& x, double from, double to) {
   return {{from, intercept + effect.coefficient * x(from)}, {to, intercept + effect.coefficient * x(to)}};
