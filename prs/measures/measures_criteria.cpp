@@ -55,7 +55,7 @@ std::optional<InSeries> in_series(const MeasuresResult& r, const JudgedCase& of,
     return InSeries{"Stiffness of the axis",
                     1.0 / m->system_stiffness->total - (mechanism ? 1.0 / mechanism->stiffness : 0.0)};
   }
-  const auto compliance = [](const std::optional<double>& k) { return k ? 1.0 / *k : 0.0; };
+  const auto compliance = [](const std::optional<double>& stiffness) { return stiffness ? 1.0 / *stiffness : 0.0; };
   const double shaft = compliance(r.measures.shaft_stiffness),
                bearing = of.c.bearings ? compliance(of.c.bearings->fixed.stiffness) : 0.0;
   if (shaft + bearing == 0.0) return std::nullopt;
