@@ -248,9 +248,10 @@ TEST(Schema, StatesDefaultsUnitsAndMeaning) {
   const Json& carrier = s["properties"]["carrier"]["properties"];
   EXPECT_EQ(carrier["gear_pressure_angle"]["default"], "20 deg");
   // Either one number or one per interface.
-  for (const Json& law : s["properties"]["friction"]["oneOf"])
-    if (law["properties"].contains("mixed"))
-      EXPECT_EQ(law["properties"]["mixed"]["properties"]["exponent"]["default"], 2.0);
+  for (const Json& law : s["properties"]["friction"]["oneOf"]) {
+    if (!law["properties"].contains("mixed")) continue;
+    EXPECT_EQ(law["properties"]["mixed"]["properties"]["exponent"]["default"], 2.0);
+  }
   EXPECT_EQ(s["properties"]["lubricant"]["properties"]["temperature"]["description"],
             "In operation. In degC, K, degF; > -273.15 degC");
 }
