@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 #include <ctime>
-#include <ranges>
 
 #include "modules/module.h"
 #include "prs/indices.h"

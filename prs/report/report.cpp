@@ -590,8 +590,11 @@ std::string meanings_html(Findings& all) {
   std::vector<std::pair<const RecordInfo*, const Json*>> records;
   for (const CommandAnswer& answer : all.answers)
     for (const auto& [key, value] : answer.document.items())
-      if (const RecordInfo* info = record_at(key == "load_cases" ? "load_cases[]" : key); info && !value.empty())
-        records.emplace_back(info, value.is_array() ? &value.front() : &value);
+      if (const RecordInfo* info = record_at(key == "load_cases" ? "load_cases[]" : key)) {
+        if (value.is_object()) records.emplace_back(info, &value);
+        if (value.is_array())
+          for (const Json& item : value) records.emplace_back(info, &item);
+      }
   return glossary_html(records);
 }
 
