@@ -499,7 +499,7 @@ std::pair<Axis, std::vector<double>> course_of(const FitCurve& c) {
     if (x.size() == c.rows && std::ranges::max(x) > std::ranges::min(x)) {
       const std::string unit =
           condition.unit.empty() ? std::string(input::split_unit(condition.texts[0])->unit) : condition.unit;
-      return {{condition.path.substr(condition.path.rfind('.') + 1), unit}, x};
+      return {{capitalised(words_of(condition.path.substr(condition.path.rfind('.') + 1))), unit}, x};
     }
   }
   std::vector<double> x;
@@ -552,7 +552,7 @@ Figures curve_figures(const FitResult& r) {
     const std::string& response = c.curve().response;
     const std::size_t series = response.find("[].");
     const ResponseTitle title = response_title(series == response.npos ? response : response.substr(series + 3));
-    panel.y = fitted({title.name, c.curve().unit}, range_of_y(panel.series));
+    panel.y = fitted({capitalised(title.name), c.curve().unit}, range_of_y(panel.series));
     figure.panels.push_back(std::move(panel));
   }
   figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));

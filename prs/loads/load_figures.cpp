@@ -279,8 +279,7 @@ Figure stiffness(const Result& result, const FigureOptions&) {
     figure.add(sweeps[c].name, case_line(c));
     Style tangent = case_line(c);
     tangent.dash = Dash::dashed;
-    tangent.open = true;
-    if (sweeps[c].groups.front().cases.size() >= kMinSweepPoints) tangent.mark = Mark::none;
+    tangent.mark = Mark::none;
     figure.add(tangent);
   }
   figure.add("secant", {Colour::ink, Dash::solid});

@@ -168,7 +168,8 @@ def colour_bar(
     where: dict[str, Any] = {"location": "right"}
     if below:
         where = {"location": "bottom", "shrink": 0.5, "pad": 0.02, "aspect": 30}
-    bar = axes[0].figure.colorbar(scale, ax=list(axes), label=axis_text(colours), **where)
+    title = axis_text(colours, characters(size_of(axes[0])[not below]))
+    bar = axes[0].figure.colorbar(scale, ax=list(axes), label=title, **where)
     levels = scale_levels(colours, contours)
     if colours.get("whole"):
         first, last = round(scale_range(colours)[0]), round(scale_range(colours)[1])
