@@ -476,7 +476,7 @@ TEST(Response, FrequencyResponseOfTheMotorIsThatOfASmallSine) {
 TEST(Response, RobotConstantsComeOut) {
   const Json& given = solved()["robot"][0];
   const SystemModel model = system_model(source_of(given), {}, WithDrive::needed);
-  const Json robot = robot_json(robot_constants(*model.case_with_drive, model.curves, 6000.0));
+  const Json robot = robot_constants(model, 6000.0, false);
   expect_near(robot, given["result"], "robot", 1.0);
 }
 
