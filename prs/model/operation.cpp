@@ -144,7 +144,7 @@ std::optional<Warning> estimated_lubricant(const Lubricant& l) {
     add(keys, "`pressure_viscosity`");
   }
   if (!l.eyring_stress) {
-    add(values, fmt::format("Eyring stress {:.3g} MPa (oils have 2 to 10)", 1e-6 * kTypicalEyringStress));
+    add(values, fmt::format("Eyring stress {{{:.3g} MPa}} (oils have 2 to 10)", 1e-6 * kTypicalEyringStress));
     add(keys, "`eyring_stress`");
   }
   return Warning{"lubricant", "estimated_lubricant",

@@ -46,7 +46,7 @@ PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& lo
                       std::string_view where, std::vector<Warning>& warnings) {
   const auto warn = [&](double load, const fe::NewtonSummary& summary) {
     warnings.push_back(Warning{"", "not_converged",
-                               fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where, load,
+                               fmt::format("{}{{{:.6g} N}}: not converged: {}, relative residual {:.1e}", where, load,
                                            fe::name(summary.status), summary.relative_residual)}
                            .with(summary.relative_residual));
   };

@@ -126,8 +126,8 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warni
   const contact::RadiusLimits given = contact::flank_limits(thread);
   const contact::RadiusLimits sharp = contact::sharp_limits(thread);
   warnings.push_back({fmt::format("mechanism.thread.{}", name(part)), "beyond_sharp_thread",
-                      fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its "
-                                  "flanks meet at {:.4f} and {:.4f} mm",
+                      fmt::format("the thread of the {} is given from {{{:.4f} mm}} to {{{:.4f} mm}} radius, its "
+                                  "flanks meet at {{{:.4f} mm}} and {{{:.4f} mm}}",
                                   name(part), given.smallest * "mm"_per_si, given.largest * "mm"_per_si,
                                   sharp.smallest * "mm"_per_si, sharp.largest * "mm"_per_si)});
 }
