@@ -66,7 +66,7 @@ TEST(Figures, RangeIsRepresentedByItsFullLoad) {
   const Result result = sweeps();
   const auto figure = picture(result, "load_distribution");
   ASSERT_TRUE(figure);
-  EXPECT_EQ(figure->title, "Load distribution, 45 kN");
+  EXPECT_EQ(figure->title, "Load distribution, 45 kN, at rest");
   const Polyline& drawn = figure->panels[0].series[0].parts[0];
   const auto& rates = result.load_cases[8].threads->screw.load_rate;
   ASSERT_EQ(drawn.size(), rates.size());
