@@ -1256,16 +1256,16 @@ class LoadMeasures(Record):
 
     lowest_frequency_Hz [Hz]: omega/(2 pi) of the first mode about the equilibrium, K phi = omega^2 M phi; needs `modes` and `structure.masses`; modes of all rollers, docs/motion.md
     speeds_to_avoid_rpm [rpm]: 60 f/order, at which turn, carrier, rollers or their number meet the lowest frequency, screw against nut; needs `modes` and `structure.masses`; modes of all rollers, docs/motion.md
-    hertz_stiffness_screw_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
-    hertz_stiffness_nut_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
-    thread_stiffness_N_per_um [N/µm]: N_r N/((h_S + h_N) f^(-1/3) + sum 1/k_tooth), teeth of screw, nut and twice the roller where measures.loaded_width is given; secant, equal shares; roller moves axially only; with teeth a lower bound, which may be below `solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's teeth, whose deflection Hertz has in part and whose nut ring each contact widens alone; Jung 2017, (3.45), (3.46), without the roller's teeth there
+    hertz_stiffness_screw_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal thread loads; roller moves axially only; Hertz with exact ellipticity
+    hertz_stiffness_nut_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal thread loads; roller moves axially only; Hertz with exact ellipticity
+    thread_stiffness_N_per_um [N/µm]: N_r N/((h_S + h_N) f^(-1/3) + sum 1/k_tooth), teeth of screw, nut and twice the roller where measures.loaded_width is given; secant, equal thread loads; roller moves axially only; with teeth a lower bound, which may be below `solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's teeth, whose deflection Hertz has in part and whose nut ring each contact widens alone; Jung 2017, (3.45), (3.46), without the roller's teeth there
     system_stiffness: 1/k = sum 1/k_i: mechanism, secant; shaft L/(E A) or x (L - x)/(L E A); wind-up (l/(2 pi))^2 L_t/(G J); bearings; housing; needs measures.system; what it leaves out is rigid; without friction, the mechanism as solved at rest; geometry
     yang_largest_load_rate_percent [%]: largest axial thread load over F/N_r; each roller tooth a ball that passes on what it takes; needs structure, position and thrust section; Yang, in Jung 2017, (4.1), (8.20), corrected
     largest_load_rate_screw_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
     largest_load_rate_nut_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
     largest_load_rate_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
-    mean_peak_pressure_screw_MPa [MPa]: p_0 = 3 N/(2 pi a b) at N = f/cos(psi); equal shares; Hertz with exact ellipticity
-    mean_peak_pressure_nut_MPa [MPa]: p_0 = 3 N/(2 pi a b) at N = f/cos(psi); equal shares; Hertz with exact ellipticity
+    mean_peak_pressure_screw_MPa [MPa]: p_0 = 3 N/(2 pi a b) at N = f/cos(psi); equal thread loads; Hertz with exact ellipticity
+    mean_peak_pressure_nut_MPa [MPa]: p_0 = 3 N/(2 pi a b) at N = f/cos(psi); equal thread loads; Hertz with exact ellipticity
     largest_peak_pressure_screw_MPa [MPa]: p_0 = 3 N/(2 pi a b) of the most loaded thread; that of the load distribution; Hertz with exact ellipticity
     largest_peak_pressure_nut_MPa [MPa]: p_0 = 3 N/(2 pi a b) of the most loaded thread; that of the load distribution; Hertz with exact ellipticity
     root_shear_stress_screw_MPa [MPa]: tau = F/(a w), mean over the root a of a tooth; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
@@ -1279,7 +1279,7 @@ class LoadMeasures(Record):
     static_safety: the case's static capacity, else the smaller of both pressure capacities, over F; estimate of `prs life`'s static safety by threads; the same there with `share: equal`; ISO 76:2006; Hertz
     thread_static_safety: the smaller of both interfaces' static limits over N_r N times the largest axial thread load; estimate of `prs life`'s static safety, with the shares that the threads have under this load in place of those at the limit; ISO 76:2006; Hertz
     buckling_safety: buckling load over F; in compression; that of the buckling load; Euler; J. B. Johnson
-    l10_revolutions [revolutions]: 10^6 (C_a/F)^3; equal shares, 90 % reliability, F up to about C_a/2; spectra: `prs life`; Jung 2017, (8.25); ISO 281
+    l10_revolutions [revolutions]: 10^6 (C_a/F)^3; equal thread loads, 90 % reliability, F up to about C_a/2; spectra: `prs life`; Jung 2017, (8.25); ISO 281
     l10_hours [h]: L10 over the speed; needs a speed; that of L10; Jung 2017, (8.25); ISO 281
     l10_travel_km [km]: L10 |l|; that of L10; Jung 2017, (8.25); ISO 281
     drive_torque_Nm [N m]: F |l|/(2 pi eta); needs measures.friction_coefficient; mu is that of the whole mechanism as catalogues state it; no preload; Jung 2017, (8.31), corrected, with (8.29)
@@ -1338,7 +1338,7 @@ class LoadCase(Record):
     position_mm [mm]: of the first roller contact on the nut
     loads: static | running: of a screw that turns, with friction
     converged: whether there is an equilibrium
-    status: how the solve ended; equal shares need none
+    status: how the solve ended; equal thread loads need none
     iterations: linear solves
     relative_residual: largest force out of balance over the load
     factorization: library, version and kind of what solved the sparse equations
@@ -1477,7 +1477,7 @@ class Comparison(Record):
     """The models of the bodies side by side.
 
     models: that were compared: bars | refined | influence, or one of them | full; the best last
-    load_cases: those that are solved, not of equal shares
+    load_cases: those that are solved, not of equal thread loads
     """
 
     __slots__ = ()
@@ -1603,19 +1603,37 @@ class PartSeries(Record):
     nut: Array
 
 
+class PartTimes(Record):
+    """A time of each part to which something happens.
+
+    screw: of the screw
+    rollers: of all rollers
+    nut: of the nut
+    """
+
+    __slots__ = ()
+    screw: float | None
+    rollers: float | None
+    nut: float | None
+
+
 class HeatCycle(Record):
-    """The state of a duty that repeats itself from cycle to cycle.
+    """The state of a duty that repeats itself from cycle to cycle, or a mission.
 
     converged: whether there is a state that repeats itself
     status: converged | no_steady_state | iteration_limit
     reason: where not converged
     period_s [s]: of the duty
-    time_s [s]: from the start of the cycle to its end
+    cycles: of the mission; with heat.cycles
+    time_s [s]: from the start of the cycle, or of the mission, to its end
     temperature_degC [°C]: of each part at these times
+    start_degC [°C]: of each part at the start of the mission; with heat.cycles
+    end_degC [°C]: of each part at its end
+    time_to_limit_s [s]: until parts first reach limits.temperature in the mission
     peak_degC [°C]: largest of each part
-    mean_degC [°C]: of each part over the cycle
-    energy_in_J [J]: that shaft and load bring in while they drive, per cycle
-    energy_lost_J [J]: to friction, per cycle
+    mean_degC [°C]: of each part over the cycle or the mission
+    energy_in_J [J]: that shaft and load bring in while they drive, per cycle or mission
+    energy_lost_J [J]: to friction, per cycle or mission
     efficiency: energy out over energy in
     """
 
@@ -1624,8 +1642,12 @@ class HeatCycle(Record):
     status: str
     reason: str | None
     period_s: float
+    cycles: int | None
     time_s: Array | None
     temperature_degC: PartSeries | None
+    start_degC: PartNumbers | None
+    end_degC: PartNumbers | None
+    time_to_limit_s: PartTimes | None
     peak_degC: PartNumbers | None
     mean_degC: PartNumbers | None
     energy_in_J: float | None
@@ -1909,6 +1931,46 @@ class LifeAtRest(Record):
     system: LifeInUse
 
 
+class FixedBearing(Record):
+    """The bearing that holds the part that turns.
+
+    equivalent_load_N [N]: of the loads with preload over all revolutions, ways without force included; ISO 281; preload by the rule of makers
+    l10_revolutions [revolutions]: of the part that turns in it, all of them; that 90 % reach; ISO 281; preload by the rule of makers
+    l10_hours [h]: as those of the screw; ISO 281; preload by the rule of makers
+    static_safety: static capacity over the largest force; ISO 76
+    """
+
+    __slots__ = ()
+    equivalent_load_N: float
+    l10_revolutions: float | None
+    l10_hours: float | None
+    static_safety: float | None
+
+
+class BearingLives(Record):
+    """Bearings at the ends of the shaft.
+
+    fixed: that holds the part that turns along its axis
+    """
+
+    __slots__ = ()
+    fixed: FixedBearing
+
+
+class LifeWithBearings(Record):
+    """Life of screw and bearings.
+
+    l10_revolutions [revolutions]: of screw and bearings together, e = 10/9; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: as those of the screw; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: as that of the screw; Jung 2017, (8.25); ISO 281
+    """
+
+    __slots__ = ()
+    l10_revolutions: float
+    l10_hours: float | None
+    l10_travel_km: float
+
+
 class ModifiedLife(Record):
     """What film and dirt do to the life, by ISO 281.
 
@@ -2081,6 +2143,8 @@ class Life(Record):
     static: the same on the loads of a screw at rest; where thread_loads is running
     equal_shares: of the mechanism, equal thread loads
     catalogue: (C_a/F_m)^3
+    bearings: at the ends of the shaft; with bearings
+    system_with_bearings: of screw, by the catalogue where its capacity is stated, and bearings
     static_safety: the smaller of both directions; ISO 76
     static_safety_limit: pressure | given
     modified: with film and contamination; where life.contamination is stated
@@ -2105,6 +2169,8 @@ class Life(Record):
     static: LifeAtRest | None
     equal_shares: LifeInUse | None
     catalogue: LifeInUse | None
+    bearings: BearingLives | None
+    system_with_bearings: LifeWithBearings | None
     static_safety: float | None
     static_safety_limit: str | None
     modified: ModifiedLife | None
@@ -2132,14 +2198,14 @@ class Measures(Record):
     dynamic_capacity_N [N]: C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3) [N, mm], 3.647 D_c^1.4 beyond 25.4 mm; or life.dynamic_capacity where stated; d_r cos(alpha)/d_n from 0.01 to 0.30; crowned flanks of 45 deg, hardened steel; Lemor, in Jung 2017, (5.5), (6.1), (8.26)
     dynamic_capacity_low_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
     dynamic_capacity_high_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
-    static_capacity_N [N]: with equal shares, the least of the next four; or life.static_capacity where stated; equal shares; hardened bearing steel; flanks of any height, see flank_edge_load_N; as uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws); ISO 76, Palmgren, Hertz
-    deformation_capacity_screw_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal shares; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
-    deformation_capacity_nut_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal shares; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
-    pressure_capacity_screw_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal shares; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)
-    pressure_capacity_nut_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal shares; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)
-    flank_edge_load_N [N]: the smaller of both below; equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
-    flank_edge_load_screw_N [N]: N_r N cos(psi) min(h/rho')^3, h the radial height from the contact point to a crest or root of body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N; equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
-    flank_edge_load_nut_N [N]: N_r N cos(psi) min(h/rho')^3, h the radial height from the contact point to a crest or root of body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N; equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
+    static_capacity_N [N]: with equal thread loads, the least of the next four; or life.static_capacity where stated; equal thread loads; hardened bearing steel; flanks of any height, see flank_edge_load_N; as uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws); ISO 76, Palmgren, Hertz
+    deformation_capacity_screw_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal thread loads; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
+    deformation_capacity_nut_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal thread loads; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
+    pressure_capacity_screw_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal thread loads; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)
+    pressure_capacity_nut_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal thread loads; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)
+    flank_edge_load_N [N]: the smaller of both below; equal thread loads; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
+    flank_edge_load_screw_N [N]: N_r N cos(psi) min(h/rho')^3, h the radial height from the contact point to a crest or root of body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N; equal thread loads; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
+    flank_edge_load_nut_N [N]: N_r N cos(psi) min(h/rho')^3, h the radial height from the contact point to a crest or root of body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N; equal thread loads; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
     roller_weight_kg [kg]: N_r rho pi/4 (d_R^2 N p + 2 d_end^2 L_end); needs materials.density of these parts; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry; Jung 2017, (5.1) to (5.4), corrected
     nut_weight_kg [kg]: rho pi/4 integral of (D(x)^2 - d_N^2) dx; needs materials.density of these parts; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry; Jung 2017, (5.1) to (5.4), corrected
     weight_kg [kg]: sum of both; needs materials.density of these parts; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry; Jung 2017, (5.1) to (5.4), corrected
@@ -2407,6 +2473,9 @@ class Response(Record):
     coupling_torque_Nm [N m]: between motor and screw
     external_force_N [N]: on the load
     end_stop_force_N [N]: magnitude
+    lever_angle_deg [deg]: between base and arm
+    lever_speed_rpm [rpm]: of the lever
+    lever_torque_Nm [N m]: external, against growing angles
     energy_J [J]: over the whole run
     largest: over the whole run
     rms_motor_torque_Nm [N m]: root of the mean square
@@ -2435,6 +2504,9 @@ class Response(Record):
     coupling_torque_Nm: Array
     external_force_N: Array
     end_stop_force_N: Array | None
+    lever_angle_deg: Array | None
+    lever_speed_rpm: Array | None
+    lever_torque_Nm: Array | None
     energy_J: ResponseEnergy
     largest: ResponseLargest
     rms_motor_torque_Nm: float
@@ -2748,6 +2820,30 @@ class MotionSegment(Record):
     axial_force_N: float
 
 
+class LeverMotion(Record):
+    """A lever over its motion, as its screw sees it.
+
+    smallest_angle_deg [deg]: between base and arm
+    largest_angle_deg [deg]: between base and arm
+    middle_angle_deg [deg]: between these two
+    middle_length_mm [mm]: between the screw's ends, there
+    middle_ratio_mm_per_rad [mm/rad]: travel over angle, there
+    middle_reflected_mass_kg [kg]: at the nut, there
+    middle_gear_ratio: turns of the screw per turn of the lever, there
+    middle_reflected_inertia_kg_mm2 [kg mm²]: at the screw, there
+    """
+
+    __slots__ = ()
+    smallest_angle_deg: float
+    largest_angle_deg: float
+    middle_angle_deg: float
+    middle_length_mm: float
+    middle_ratio_mm_per_rad: float
+    middle_reflected_mass_kg: float
+    middle_gear_ratio: float | None
+    middle_reflected_inertia_kg_mm2: float | None
+
+
 class SizeRequirement(Record):
     """One cycle of the axis.
 
@@ -2761,6 +2857,7 @@ class SizeRequirement(Record):
     rms_speed_mm_per_s [mm/s]: over the cycle with its rests
     mean_speed_mm_per_s [mm/s]: travel over the time in motion
     segments: of constant acceleration, or classes of many samples
+    lever: whose angle and torque are given
     """
 
     __slots__ = ()
@@ -2774,6 +2871,7 @@ class SizeRequirement(Record):
     rms_speed_mm_per_s: float
     mean_speed_mm_per_s: float | None
     segments: list[MotionSegment]
+    lever: LeverMotion | None
 
 
 class SizeCounts(Record):
@@ -2882,7 +2980,7 @@ class SizedByThreads(Record):
     life_revolutions [revolutions]: rated, of all travel; Jung 2017, (8.25); ISO 281
     life_hours [h]: clock time, rests included
     life_km [km]: of all travel
-    static_safety: as `prs life`: pressure, deformation or a flank's edge
+    static_safety: as `prs life`: pressure, deformation or edge loading
     dynamic_capacity_N [N]: Lemor's C_a
     """
 
@@ -2963,7 +3061,7 @@ class SizedCandidate(Record):
     source_name: maker or series, and file, of the row; the rules of a design
     row: of the catalogue, from 1
     design: from 1
-    type: standard | inverted
+    type: standard | inverted | recirculating
     screw_diameter_mm [mm]: nominal
     lead_mm [mm]: < 0 left-handed
     starts: of screw and nut
@@ -2986,17 +3084,28 @@ class SizedCandidate(Record):
     computed: the same by the loads of the threads
     dynamic_capacity_N [N]: of the row
     static_capacity_N [N]: of the row
+    drag_torque_Nm [N m]: of the row
+    axial_play_mm [mm]: of the row
+    grease_volume_cm3 [cm³]: of the row
+    preload_N [N]: of each flank without load
+    no_load_torque_Nm [N m]: of the preload at the part that turns, at the mean speed
+    bearing_equivalent_load_N [N]: of the bearing, with its preload
+    bearing_life_hours [h]: of the bearing at the required reliability, rests included
+    bearing_life_km [km]: the same, of all travel
+    life_with_bearings_hours [h]: L10 of screw and bearing together, rests included
+    bearing_static_safety: static capacity over the largest force
     buckling_load_N [N]: of the shaft, as `prs measures`
     buckling_safety: against the largest compression
     critical_speed_rpm [rpm]: of a screw that turns
     largest_speed_rpm [rpm]: of screw against nut
     speed_times_diameter_mm_per_min [mm/min]: d the nominal diameter
-    stiffness_N_per_um [N/µm]: of the load case with the largest force, in series with the shaft
+    stiffness_N_per_um [N/µm]: of the load case with the largest force, in series with shaft and bearing
     efficiency: of the cycle, where the screw drives
     back_driving_efficiency: absent where the screw locks itself
     self_locking: by slip
-    temperature_degC [°C]: mean of the cycle; absent without `heat`
-    hottest_part_degC [°C]: largest of these
+    temperature_degC [°C]: mean of the cycle or the mission; absent without `heat`
+    hottest_part_degC [°C]: largest of these; in a mission its peak
+    heat_cycle: the mission; its course for the candidate with a curve
     conductance_W_per_K [W/K]: between parts and surroundings
     power_lost_W [W]: mean of the cycle
     inertia_kg_mm2 [kg mm²]: at the part that turns
@@ -3007,6 +3116,15 @@ class SizedCandidate(Record):
     inertia_ratio: screw and mass over the motor's, at its shaft
     regenerated_mean_W [W]: over the cycle
     regenerated_peak_W [W]: largest of the cycle
+    motor_rms_current_A [A]: over the cycle, of the direct-current motor
+    motor_peak_current_A [A]: largest of the cycle
+    motor_peak_voltage_V [V]: largest of the cycle
+    motor_voltage_speed_rpm [rpm]: of the motor, up to which the supply's voltage drives the largest torque of the motion
+    copper_loss_W [W]: mean of R I^2
+    electrical_energy_J [J]: per cycle, net
+    regenerated_electrical_J [J]: per cycle, back to the supply
+    reflected_mass_kg [kg]: of motor, gear and screw, at the nut
+    back_driving_force_N [N]: axial, with which a load begins to turn a motor without current; absent where the screw locks itself
     holding_torque_Nm [N m]: at the motor, without friction
     brake_needed: a force at rest turns the screw
     relubrication_h [h]: interval by the makers' rule; Rockwell MPAI-IN001F pp. 45 to 47; Tolomatic IMA-S guide pp. 34 to 35
@@ -3045,6 +3163,16 @@ class SizedCandidate(Record):
     computed: SizedByThreads
     dynamic_capacity_N: float | None
     static_capacity_N: float | None
+    drag_torque_Nm: float | None
+    axial_play_mm: float | None
+    grease_volume_cm3: float | None
+    preload_N: float | None
+    no_load_torque_Nm: float | None
+    bearing_equivalent_load_N: float | None
+    bearing_life_hours: float | None
+    bearing_life_km: float | None
+    life_with_bearings_hours: float | None
+    bearing_static_safety: float | None
     buckling_load_N: float | None
     buckling_safety: float | None
     critical_speed_rpm: float | None
@@ -3056,6 +3184,7 @@ class SizedCandidate(Record):
     self_locking: bool | None
     temperature_degC: PartNumbers | None
     hottest_part_degC: float | None
+    heat_cycle: HeatCycle | None
     conductance_W_per_K: ThermalConductances
     power_lost_W: float | None
     inertia_kg_mm2: float | None
@@ -3066,6 +3195,15 @@ class SizedCandidate(Record):
     inertia_ratio: float | None
     regenerated_mean_W: float | None
     regenerated_peak_W: float | None
+    motor_rms_current_A: float | None
+    motor_peak_current_A: float | None
+    motor_peak_voltage_V: float | None
+    motor_voltage_speed_rpm: float | None
+    copper_loss_W: float | None
+    electrical_energy_J: float | None
+    regenerated_electrical_J: float | None
+    reflected_mass_kg: float | None
+    back_driving_force_N: float | None
     holding_torque_Nm: float | None
     brake_needed: bool
     relubrication_h: float | None
