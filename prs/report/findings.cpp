@@ -77,7 +77,7 @@ std::string tile_html(std::string_view key, std::string_view classes, std::strin
       "<div{}{}><dt>{}</dt><dd><div class=\"value\">{}</div>{}{}</dd></div>\n",
       key.empty() ? "" : fmt::format(" data-tile=\"{}\"", key),
       classes.empty() ? "" : fmt::format(" class=\"{}\"", classes),
-      is_general_term(title) ? term_html(title, title) : html(title), number,
+      !key.empty() && is_general_term(title) ? term_html(title, title) : html(title), number,
       before.empty() || before == number ? "" : fmt::format("<div class=\"before\">report: {}</div>", before), below);
 }
 

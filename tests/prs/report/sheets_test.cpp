@@ -109,7 +109,7 @@ TEST(Sheets, AreSetAsPrint) {
   for (const char* lesson : {"30_duty_cycle.yaml", "37_bench.yaml"}) {
     std::string page =
         make_report(input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {}), {.live = false}).html;
-    page = page.substr(page.find("<body>"), page.find("id=\"data\"") - page.find("<body>"));
+    page = page.substr(page.find("<body>"), page.find("<script type") - page.find("<body>"));
     for (const auto& [from, to] :
          {std::pair{"<code>", "</"}, {"<span class=\"mono\">", "</"}, {" title=\"", "\">"}, {"href=\"data:", "\">"}})
       for (std::size_t at = page.find(from); at != page.npos; at = page.find(from, at))

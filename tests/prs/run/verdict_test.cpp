@@ -243,7 +243,8 @@ TEST(Verdict, EachLoadIsThatAtRestOrRunning) {
   const auto reason = [&](const char* name) { return criterion(v, name)["reason"].get<std::string>(); };
   const auto largest = [](Command command) {
     double most = 0.0;
-    for (const Json& load_case : document(command, "31_running_screw.yaml")["load_cases"])
+    const Json of = document(command, "31_running_screw.yaml");
+    for (const Json& load_case : of["load_cases"])
       for (const char* side : {"screw", "nut"})
         for (const Json& pressure : load_case[side]["peak_pressure_MPa"]) most = std::max(most, pressure.get<double>());
     return most;
