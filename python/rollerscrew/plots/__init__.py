@@ -148,7 +148,7 @@ def compare(
                 f"{', '.join(dict.fromkeys([*known, *drawn]))}"
             )
     if ax is None:
-        described = {"panels": [{"x": {}, "y": {}}], "legend": []}
+        described: dict[str, Any] = {"panels": [{"x": {}, "y": {}}], "legend": []}
         with new_axes(of_width(described, width, ax)) as (ax,):
             compare(results, picture, ax, **options)
             legend_of_compared(ax, grows=width is None)
