@@ -73,6 +73,10 @@ Values of(const Results& results, const std::function<double(const SlipResult&)>
   for (const SlipResult& r : results) values.push_back(quantity(r));
   return values;
 }
+Values swept(const Case& c, const Values& values, const std::function<void(Case&, double)>& change,
+             const std::function<double(const SlipResult&)>& quantity) {
+  return of(sweep(c, values, change), quantity);
+}
 double efficiency(const SlipResult& s) { return s.efficiency.value_or(0.0); }
 double loss(const SlipResult& s) { return s.power.total(); }
 double optimality_of(const SlipResult& s) { return s.optimality; }
@@ -127,12 +131,12 @@ Finding optimality_is_high(const Case& c) {
 }
 
 Finding optimality_is_higher_at_low_speed(const Case& c) {
-  const Values optimality = of(sweep(c, kSpeeds, speed), optimality_of);
+  const Values optimality = swept(c, kSpeeds, speed, optimality_of);
   return {falls(optimality), range(kSpeeds, "rpm: ") + listed(optimality, 100, 3) + " %"};
 }
 
 Finding optimality_rises_with_force(const Case& c) {
-  const Values optimality = of(sweep(c, kForces, force), optimality_of);
+  const Values optimality = swept(c, kForces, force, optimality_of);
   return {rises(optimality), range(kForces, "kN: ") + listed(optimality, 100, 3) + " %"};
 }
 
@@ -150,8 +154,8 @@ Finding more_friction_raises_the_slip_ratio(const Case& c) {
         of(sweep(c, coefficients, [](Case& varied, double mu) { varied.friction->coefficient = at_both(mu); }), ratio);
     return {rises(ratios), "mu = " + listed(coefficients, 1, 3) + ": " + listed(ratios, 1, 5)};
   }
-  const Values by_stress = of(sweep(c, kStresses, eyring_stress), ratio);
-  const Values by_viscosity = of(sweep(c, kViscosities, viscosity), ratio);
+  const Values by_stress = swept(c, kStresses, eyring_stress, ratio);
+  const Values by_viscosity = swept(c, kViscosities, viscosity, ratio);
   return {rises(by_stress) && rises(by_viscosity), range(kStresses, "MPa Eyring stress: ") + listed(by_stress, 1, 5) +
                                                        "; " + range(kViscosities, "mPa s: ") +
                                                        listed(by_viscosity, 1, 5)};
@@ -242,7 +246,7 @@ std::vector<Values> friction_along_slip(const Case& c, double (*quantity)(const 
     with.lubricant->pressure_viscosity = l.pressure_viscosity * 1e-9;
     with.lubricant->viscosity = l.viscosity * 1e-3;
     with.lubricant->eyring_stress = l.eyring_stress * 1e6;
-    friction.push_back(of(sweep(with, {0.05, 0.1, 0.2, 0.3, 0.35, 0.37}, slip_ratio), quantity));
+    friction.push_back(swept(with, {0.05, 0.1, 0.2, 0.3, 0.35, 0.37}, slip_ratio, quantity));
   }
   return friction;
 }
@@ -497,7 +501,7 @@ Finding efficiency_is_constant(const Case& c) {
   bool holds = true;
   std::string evidence = "spread of the efficiency in points:";
   const auto add = [&](const Values& values, auto change, const char* what) {
-    const double points = 100 * spread(of(sweep(c, values, change), efficiency));
+    const double points = 100 * spread(swept(c, values, change, efficiency));
     holds = holds && points < 2.0;
     evidence += fmt::format(" {} {:.2f},", what, points);
   };
@@ -510,8 +514,8 @@ Finding efficiency_is_constant(const Case& c) {
   if (c.carrier.bearing) add(kClearances, clearance, "e_b (0.1 to 0.25 mm)");
   add(kSpeeds, speed, "speed (50 to 800 rpm)");
   add({10, 20, 35, 50, 70}, force, "force (10 to 70 kN)");
-  const double by_viscosity = 100 * spread(of(sweep(c, kViscosities, viscosity), efficiency));
-  const double by_stress = 100 * spread(of(sweep(c, kStresses, eyring_stress), efficiency));
+  const double by_viscosity = 100 * spread(swept(c, kViscosities, viscosity, efficiency));
+  const double by_stress = 100 * spread(swept(c, kStresses, eyring_stress, efficiency));
   return {holds && by_viscosity > 2.0 && by_stress > 2.0,
           evidence + fmt::format(" judged against 2; viscosity (28.4 to 266 mPa s) {:.1f}, Eyring "
                                  "stress (4 to 16 MPa) {:.1f}",
@@ -527,8 +531,8 @@ Values logarithms(Values v) {
 }
 
 Finding efficiency_falls_linearly(const Case& c) {
-  const Values by_stress = of(sweep(c, kStresses, eyring_stress), efficiency);
-  const Values by_viscosity = of(sweep(c, kViscosities, viscosity), efficiency);
+  const Values by_stress = swept(c, kStresses, eyring_stress, efficiency);
+  const Values by_viscosity = swept(c, kViscosities, viscosity, efficiency);
   const double stress = nonlinearity(kStresses, by_stress);
   const double viscosities = nonlinearity(logarithms(kViscosities), by_viscosity);
   return {falls(by_stress) && falls(by_viscosity) && std::max(stress, viscosities) < 0.05,
@@ -559,15 +563,17 @@ Finding printed_fit_is_near(const Case& c) {
                                     100 * worst)};
 }
 
+/// Least and greatest ratio of two lists.
+Values ratios(const Values& power, const Values& x) {
+  Values ratio;
+  for (const auto k : indices(x)) ratio.push_back(power[k] / x[k]);
+  return {least(ratio), greatest(ratio)};
+}
+
 Finding power_is_linear_in_speed_and_force(const Case& c) {
-  const auto worst_ratio = [&](const Values& values, auto change) {
-    const Values power = of(sweep(c, values, change), loss);
-    Values ratio;
-    for (const auto k : indices(values)) ratio.push_back(power[k] / values[k]);
-    return Values{least(ratio), greatest(ratio)};
-  };
-  const Values by_speed = worst_ratio(kSpeeds, speed);
-  const Values by_force = worst_ratio({10, 20, 35, 50, 70}, force);
+  const Values by_speed = ratios(swept(c, kSpeeds, speed, loss), kSpeeds);
+  const Values forces{10, 20, 35, 50, 70};
+  const Values by_force = ratios(swept(c, forces, force, loss), forces);
   return {by_speed[1] < 1.1 * by_speed[0] && by_force[1] < 1.1 * by_force[0],
           fmt::format("{:.3f} to {:.3f} W/rpm over {}; {:.2f} to {:.2f} W/kN over 10 to 70 kN "
                       "(judged against 10 %)",
@@ -575,13 +581,8 @@ Finding power_is_linear_in_speed_and_force(const Case& c) {
 }
 
 Finding power_is_proportional_to_stress_and_viscosity(const Case& c) {
-  const auto ratios = [](const Values& power, const Values& x) {
-    Values ratio;
-    for (const auto k : indices(x)) ratio.push_back(power[k] / x[k]);
-    return Values{least(ratio), greatest(ratio)};
-  };
-  const Values stress = ratios(of(sweep(c, kStresses, eyring_stress), loss), kStresses);
-  const Values thick = ratios(of(sweep(c, kViscosities, viscosity), loss), logarithms(kViscosities));
+  const Values stress = ratios(swept(c, kStresses, eyring_stress, loss), kStresses);
+  const Values thick = ratios(swept(c, kViscosities, viscosity, loss), logarithms(kViscosities));
   return {stress[1] < 1.1 * stress[0] && thick[1] < 1.1 * thick[0],
           fmt::format("{:.1f} to {:.1f} W/MPa over {}; {:.1f} to {:.1f} W per unit of ln(eta_0/mPa "
                       "s) over {} (judged against 10 %)",
@@ -589,7 +590,7 @@ Finding power_is_proportional_to_stress_and_viscosity(const Case& c) {
 }
 
 Finding nut_torque_adds_linearly(const Case& c) {
-  const Values power = of(sweep(c, kNutTorques, nut_torque), loss);
+  const Values power = swept(c, kNutTorques, nut_torque, loss);
   const double error = nonlinearity(kNutTorques, power);
   return {rises(power) && error < 0.01,
           fmt::format("{} W; a line misses by {:.2f} % of the change (judged against 1 %)",
@@ -614,8 +615,7 @@ Finding profiles_and_rollers_hardly_matter(const Case& c) {
   const double reference = loss(slip_of(c));
   const auto change = [&](const Values& values, auto vary) {
     double worst = 0.0;
-    for (const double power : of(sweep(c, values, vary), loss))
-      worst = std::max(worst, std::abs(power / reference - 1.0));
+    for (const double power : swept(c, values, vary, loss)) worst = std::max(worst, std::abs(power / reference - 1.0));
     return worst;
   };
   const double roller = change(kRollerProfiles, roller_profile);
@@ -628,7 +628,7 @@ Finding profiles_and_rollers_hardly_matter(const Case& c) {
 }
 
 Finding forty_five_degrees_is_good(const Case& c) {
-  const Values eff = of(sweep(c, kPressureAngles, flank_angle), efficiency);
+  const Values eff = swept(c, kPressureAngles, flank_angle, efficiency);
   const double loss_at_45 = greatest(eff) - efficiency(slip_of(c));
   return {loss_at_45 < 0.005, listed(kPressureAngles, 1, 1) + " deg: " + listed(eff, 100) + " %"};
 }
