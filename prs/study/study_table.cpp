@@ -297,7 +297,9 @@ std::string statistics(const StudyResult& result) {
       const int digits = std::abs(shown) < 1e-4 ? 3 : 4;  // Fewer digits, so that numbers with an exponent fit.
       cells.push_back(value ? significant(shown, digits) : std::string(kAbsent));
     }
-    text += kStatistics(shortened(response.text(), kMaxName), cells);
+    const std::string name = response.text();
+    const bool is_long = width(name) > kMaxName;  // Has a line of its own.
+    text += (is_long ? name + "\n" : "") + kStatistics(is_long ? "" : name, cells);
   }
   const bool all_kept =
       std::ranges::all_of(result.summary.statistics, [](const auto& s) { return s.values_kept == s.count; });

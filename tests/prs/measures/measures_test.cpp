@@ -275,7 +275,7 @@ TEST(Measures, TheEndOfAFlankIsWarnedOfAndLeavesTheStaticSafety) {
   EXPECT_NEAR(*pull.static_safety, *m.static_capacity / 30e3, 1e-12 * *pull.static_safety);
   EXPECT_EQ(pull.static_safety_limit, StaticLimit::pressure);
   EXPECT_EQ(pull.thread_static_safety_limit, StaticLimit::pressure);
-  const auto near = Contains(HasSubstr("ellipse reaches the end of a flank"));
+  const auto near = Contains(HasSubstr("ellipse reaches the edge of a flank"));
   EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load), near);
   EXPECT_THAT(load_warnings(c, 0.99 * *m.flank_edge_load), near);
   EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load / kUsualStaticSafety), near);

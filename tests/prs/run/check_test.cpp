@@ -162,7 +162,7 @@ TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
       PRS_SOURCE_DIR "/validation/standard_screws/screw_30x10.yaml",
       {"life.spectrum[0].force=60 kN", "load_cases[0].axial_force=140 kN", "load_cases[1].axial_force=140 kN"});
   const std::vector<std::string> by_check = warned(source, Command::check);
-  for (const auto& [command, text] : {std::pair{Command::life, "kN at which an ellipse reaches the end of a flank"},
+  for (const auto& [command, text] : {std::pair{Command::life, "kN at which an ellipse reaches the edge of a flank"},
                                       {Command::solve, "load_cases[0].axial_force: roller-screw peak pressure 4.0"}}) {
     const std::vector<std::string> own = warned(source, command);
     EXPECT_THAT(own, Contains(HasSubstr(text)));
