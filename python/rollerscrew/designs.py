@@ -474,11 +474,12 @@ def evaluate(
             study = prepared.study(rows)
             warn_of(study, 4)
             answered = prepared.answered(study, rows, thread_count(threads), show)
-    assert answered.origin is not None
+    origin = answered.origin
+    assert origin is not None
     index = getattr(inputs, "index", None)
     if index is not None and hasattr(inputs, "columns"):
         answered = replace(answered, inputs=answered.inputs.set_axis(index))
-    return replace(answered, origin=replace(answered.origin, command=str(command)))
+    return replace(answered, origin=replace(origin, command=str(command)))
 
 
 def warn_of(study: _engine.Study, level: int) -> None:
