@@ -76,8 +76,7 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
            {"check " + screw + " --set =9", "--set: got =9; expected PATH=VALUE"},
            {"check " + screw + " --set ''", "--set: got nothing; expected PATH=VALUE"},
            {"configurations --lead 3mm",
-            "--screw-diameter is missing; expected `prs configurations [OPTIONS] --screw-diameter "
-            "LENGTH --lead LENGTH`"},
+            "--screw-diameter: missing; expected this or `--nut-diameter`; give one of them"},
            {"configurations --screw-diameter 24 --lead 3mm",
             "--screw-diameter: got 24; expected a length with its unit"},
            {"configurations --write 3", "--write: got 3; expected `--write N FILE`"},
@@ -302,7 +301,7 @@ TEST(Completion, OffersCommandsOptionsWordsAndCases) {
   EXPECT_THAT(completed({"new", "--lesson", "14"}), ElementsAre("14_flight_spectrum"));
   EXPECT_THAT(completed({"new", "--lubricant", ""}),
               AllOf(Contains("iso-vg-100"), Not(Contains("name")), Not(Contains("nu")), Not(Contains("[1]"))));
-  EXPECT_THAT(completed({"configurations", "--type", ""}), ElementsAre("standard", "inverted"));
+  EXPECT_THAT(completed({"configurations", "--type", ""}), ElementsAre("standard", "inverted", "recirculating"));
   EXPECT_THAT(completed({"solve", "--outp"}), ElementsAre("--output"));
   EXPECT_THAT(completed({"study", "merge", "--res"}), ElementsAre());
   EXPECT_THAT(completed({"study", "--res"}), ElementsAre("--restart"));
@@ -311,7 +310,7 @@ TEST(Completion, OffersCommandsOptionsWordsAndCases) {
   EXPECT_THAT(completed({"solve", "--output", "conf"}), ElementsAre("configs"));
   EXPECT_THAT(completed({"solve", "--set", "a", "=", "b", "READ"}), ElementsAre());
   EXPECT_THAT(completed({"solve", "configs/01_config_1_to_3.yaml", "--set", "mechanism.ro"}),
-              ElementsAre("mechanism.rollers="));
+              ElementsAre("mechanism.rollers=", "mechanism.rollers_unloaded="));
 }
 
 TEST(Completion, ScriptsOfOtherShellsNameEveryCommand) {
