@@ -311,6 +311,8 @@ ThreadHeight thread_height(const contact::Thread& thread, double nominal_radius,
   double crest = limits.largest - thread.pitch_radius, root = thread.pitch_radius - limits.smallest;
   if (thread.internal) std::swap(crest, root);
   const double below = (nominal_radius - thread.pitch_radius) * (thread.internal ? -1.0 : 1.0);
+  // Bodies with teeth have straight flanks, which meet before those of an arc at its root.
+  root = std::min(root, sharp_height(pitch, thread.flank_angle));
   return {std::min(kCrestHeight * pitch + below, 0.95 * crest), std::min(kMeshedRootDepth * pitch, 0.95 * root)};
 }
 

@@ -136,7 +136,7 @@ std::vector<Impossible> impossible_screws() {
   add("starts", [](ScrewData& d) { d.starts = 0; });
   add("starts", [](ScrewData& d) {
     d.type = Mechanism::Type::inverted;
-    d.starts = 1;
+    d.starts = 0;
   });
   add("rollers", [](ScrewData& d) { d.rollers = 2; });
   add("rollers", [](ScrewData& d) { d.rollers = 20; });
