@@ -523,7 +523,6 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   c.friction = r.friction;
   c.lubricant = r.lubricant;
   c.roughness = r.roughness;
-  if (r.has_mission()) c.lubricant->temperature.reset();
   c.carrier = r.carrier;
   c.bearings = r.bearings;
   c.measures = r.measures;
@@ -675,6 +674,7 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
           block_text("operation", value_of(*c.operation, Block{})) +
           lines.line("friction", law.starts_with("{model") ? law : fmt::format("{{model: {}}}", law), "friction");
   const PerPart<double>& rough = *c.roughness;
+  if (in.values.has_mission()) c.lubricant->temperature.reset();
   Lubricant lubricant_default;
   Carrier carrier_default;
   Life life_default;
