@@ -632,7 +632,7 @@ TEST(SizeCatalogue, RowsHaveTheirSourcesAndPrintedValues) {
         sized_with(std::string(kPressing) + "candidates: {catalogue: [{file: own.csv}, {file: none.csv}]}\n", kScrews);
       },
       testing::ThrowsMessage<input::InputError>(
-          AllOf(HasSubstr("candidates.catalogue[1].file"), HasSubstr("does not exist"))));
+          AllOf(HasSubstr("candidates.catalogue[1].file"), HasSubstr("got none.csv"))));
 }
 
 /// Numbers of the published definition: a = 0.5 m, b = 0.3 m, J = 2 kg m^2, at constant speeds.
