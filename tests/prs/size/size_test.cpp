@@ -640,7 +640,7 @@ TEST(SizeLever, HasTheNumbersOfItsDefinition) {
   const auto at = [](const char* angle, const char* speed, const char* torque) {
     const SizeInput in =
         read(fmt::format("linkage: {{base: 500 mm, arm: 300 mm}}\nload: {{inertia: 2 kg m^2}}\n"
-                         "motion: {{start_angle: {0}, start_speed: {1}, segments: [{{duration: 1e-6 ms, end_speed: "
+                         "motion: {{start_angle: {0}, start_speed: {1}, segments: [{{duration: 1e-9 ms, end_speed: "
                          "{1}, torque: {2}}}]}}\n",
                          angle, speed, torque));
     const PrsLever lever = prs_lever(&*in.values.linkage, in.cycle.angles->front());
