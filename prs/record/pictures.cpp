@@ -225,7 +225,7 @@ Json json_of(const T& value) {
   } else if constexpr (Optional<T>) {
     return json_of(*value);
   } else if constexpr (std::is_enum_v<T>) {
-    return names_of(value)[static_cast<std::size_t>(value)];
+    return item_at(names_of(value), value);
   } else if constexpr (Items<T>) {
     Json json = Json::array();
     for (const auto& item : value) json.push_back(json_of(item));
@@ -503,7 +503,7 @@ std::vector<std::array<double, 2>> points_of_style(const Panel& panel, std::size
   std::vector<std::array<double, 2>> points;
   for (const Series& series : panel.series)
     if (series.style == style)
-      for (const Polyline& part : series.parts) points.insert(points.end(), part.begin(), part.end());
+      for (const Polyline& part : series.parts) append(points, part);
   return points;
 }
 
@@ -539,7 +539,7 @@ bool is_empty(const Figure& figure, std::size_t style) {
       if (series.style != style) continue;
       used = true;
       for (const Polyline& part : series.parts)
-        for (std::size_t k = 0; k < part.size(); ++k) {
+        for (const auto k : indices(part)) {
           const auto &here = part[k], &before = part[k > 0 ? k - 1 : 0];
           if (reaches(x, here[0], before[0]) && reaches(y, here[1], before[1])) return false;
         }

@@ -3,6 +3,7 @@
 #include <regex>
 #include <set>
 
+#include "prs/indices.h"
 #include "prs/report/findings.h"
 #include "prs/report/tables.h"
 #include "prs/text.h"
@@ -56,7 +57,7 @@ void add_quantities(const RecordInfo& info, const Json& record, Meanings& meanin
     if (value.is_null()) continue;
     if (q.kind == Kind::record && q.unit.empty()) add_quantities(q.record(), value, meanings);
     std::vector<std::string>& known = meanings[capitalised(q.title)];
-    if (std::string meaning(q.meaning); !meaning.empty() && std::ranges::find(known, meaning) == known.end())
+    if (std::string meaning(q.meaning); !meaning.empty() && !contains(known, meaning))
       known.push_back(std::move(meaning));
   }
 }
@@ -68,8 +69,7 @@ std::string term_html(std::string_view word, std::string_view shown) {
 }
 
 bool is_general_term(std::string_view title) {
-  return std::ranges::any_of(
-      general_terms(), [&](const Term& term) { return std::ranges::find(term.words, title) != term.words.end(); });
+  return std::ranges::any_of(general_terms(), [&](const Term& term) { return contains(term.words, title); });
 }
 
 std::string glossary_html(const std::vector<std::pair<const RecordInfo*, const Json*>>& records) {
