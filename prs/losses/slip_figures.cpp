@@ -350,7 +350,8 @@ Pictures slip_pictures(const Case& c, const Result& r) {
        {"slip_residue", kConvergedSlip, of_fields(slip_residue_figure)},
        {"thread_friction", kConvergedSlip,
         [&c, &r](const FigureOptions& options) { return thread_friction(c, r, options); }, by_name},
-       {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of_result(r, heat_cycle)}},
+       {"heat_cycle", "a `duty` in `heat` that comes to repeat itself",
+        [&r](const FigureOptions&) { return in_shown_units(heat_cycle(r)); }}},
       solve_pictures(r, has_butterflies_of_load(c)));
 }
 
