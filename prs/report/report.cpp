@@ -142,14 +142,13 @@ std::string head_html(const Findings& all) {
   const int starts = contacts.mechanism.starts.screw;
   std::string block;
   const auto add = [&](const char* title, const std::string& text) {
-    if (!text.empty()) block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, breakable_html(text));
+    if (!text.empty()) block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, text);
   };
-  add("Customer", told(all, "customer"));
-  add("Number", told(all, "number"));
-  add("Revision", told(all, "revision"));
-  add("Author", told(all, "author"));
-  add("Date", all.date);
-  add("Case", all.source.name);
+  for (const auto& [title, key] :
+       {std::pair("Customer", "customer"), {"Number", "number"}, {"Revision", "revision"}, {"Author", "author"}})
+    add(title, html(told(all, key)));
+  add("Date", html(all.date));
+  add("Case", breakable_html(all.source.name));
   add("Program", fmt::format("prs {}", kVersion));
   return fmt::format(
       "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<dl "

@@ -106,8 +106,8 @@ TEST(OptimizeFigures, HistoryAndFrontShowEveryDesignOnce) {
   EXPECT_EQ(best.back()[0], 400.0);
   const std::vector<Series>& front = figures[1].panels.at(0).series;
   EXPECT_THAT(front[0].parts.at(0), SizeIs(feasible));
-  EXPECT_THAT(front[1].parts.at(0), SizeIs(result.check->front.size()));
-  EXPECT_THAT(front[2].parts.at(0), SizeIs(result.search.front.size()));
+  EXPECT_THAT(front.end()[-2].parts.at(0), SizeIs(result.check->front.size()));
+  EXPECT_THAT(front.end()[-1].parts.at(0), SizeIs(result.search.front.size()));
 }
 
 TEST(OptimizeTable, FitsIts110Columns) {

@@ -318,7 +318,7 @@ TEST(Slip, WarnsOfHeatThatNothingTakes) {
   ASSERT_GT(result.load_cases[0].slip->power.total(), 100.0);
   const double needed = result.load_cases[0].slip->power.total() / 55.0;
   EXPECT_THAT(sentences(result.load_cases[0].warnings),
-              ::testing::Contains(HasSubstr(fmt::format("a conductance of {:.3g} W/K", needed))));
+              ::testing::Contains(HasSubstr(fmt::format("a thermal conductance of {:.3g} W/K", needed))));
   c.operation->speed *= 1e-3;
   EXPECT_THAT(sentences(analyze_slip(c).load_cases[0].warnings), ::testing::Not(note));
 }
