@@ -11,6 +11,7 @@ namespace {
 constexpr double kStepTolerance = 1e-8;    // Tolerance of a step [K].
 constexpr double kPeriodTolerance = 1e-8;  // Tolerance between start and end of the cycle [K].
 constexpr double kTellTable = 1e-6;        // Error of a table above which a warning is given.
+constexpr double kTellMission = 1e-4;      // Error in a mission.
 constexpr double kLeastPoints = 200;       // Number of points of a cycle, for its picture.
 constexpr int kColumns = 6;                // Columns of the extrapolation.
 constexpr double kShortest = 1e-6;         // Step over the fastest time constant.
@@ -23,7 +24,7 @@ constexpr double kFirstReach = 40.0;       // Rise up to which losses of a missi
 /// those of equal ones.
 constexpr LossTable::Effort kRoughTable{1e-4, 200}, kTable{1e-9, 6000}, kSolvedTable{3e-9, 1500};
 /// A mission visits ten times the range of a cycle, and nothing is iterated on its end.
-constexpr LossTable::Effort kMissionTable{3e-7, 600}, kSolvedMissionTable{3e-7, 300};
+constexpr LossTable::Effort kMissionTable{3e-7, 600}, kSolvedMissionTable{1e-5, 150};
 
 double largest_of(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
 
@@ -452,12 +453,12 @@ HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<
   }
   const FoundCycle& found = *again;
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
-    if (found.tables[k + 1].error() > kTellTable)
+    if (const double limit = duty.start ? kTellMission : kTellTable; found.tables[k + 1].error() > limit)
       warnings.push_back(Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.cases[k].name),
                                  fmt::format("the losses of `{}` are not smooth over the temperatures of the "
                                              "cycle: interpolated to {{value}} of their largest",
                                              duty.cases[k].name)}
-                             .with(found.tables[k + 1].error(), kTellTable));
+                             .with(found.tables[k + 1].error(), limit));
   result = warming(network, capacity, duty.segments, found.tables, found.start,
                    duty.start ? temperature_limit : std::nullopt);
   result.period /= cycles, result.cycles = cycles;

@@ -874,15 +874,15 @@ INSTANTIATE_TEST_SUITE_P(
                      "lead: {from: 5 mm, to: 9 mm, steps: 400}}}\n",
               "2:13", "at most 100000"},
         Wrong{MOTION "heat: {cycles: 0}\n", "2:16", "got 0"},
-        Wrong{MOTION "heat: {start: 20 degC}\n", "2:15", "it stands with `cycles`"},
-        Wrong{MOTION "heat: {cycles: 2, start: 90 degC}\nlimits: {temperature: 80 degC}\n", "2:27",
+        Wrong{MOTION "heat: {start: 20 degC}\n", "2:8", "it stands with `cycles`"},
+        Wrong{MOTION "heat: {cycles: 2, start: 90 degC}\nlimits: {temperature: 80 degC}\n", "2:26",
               "less than `limits.temperature`, 80 degC"},
         Wrong{MOTION "heat: {cycles: 2}\nlosses: catalogue\n", "2:16", "together with `losses: catalogue`"},
         Wrong{MOTION
               "heat: {cycles: 2}\nlubricant: {viscosity: 0.1 Pa s, pressure_viscosity: 20 1/GPa, eyring_stress: 5 "
               "MPa}\n",
               "3:24", "follows the temperature"},
-        Wrong{MOTION "bearings: {fixed: {dynamic_capacity: 5 kN, preload: 9 kN}}\n", "2:57",
+        Wrong{MOTION "bearings: {fixed: {dynamic_capacity: 5 kN, preload: 9 kN}}\n", "2:53",
               "less than `dynamic_capacity`"},
         Wrong{"mechanism: {type: standard}\n" MOTION, "1:1", "got a case"}));
 #undef MOTION
