@@ -32,7 +32,7 @@ int teeth_between(Mechanism::Type type, const GearPair& pair) {
 /// Sets working pressure angle and profile shift; false if base circles do not let the gears mesh or the shift is too
 /// large.
 bool fit(Mechanism::Type type, double centre_distance, GearPair& pair) {
-  const int teeth = teeth_between(type, pair);
+  const int teeth = teeth_between(m.type, pair);
   const double cosine = 0.5 * pair.module * teeth / centre_distance * std::cos(kPressureAngle);
   if (!(cosine < 1.0)) return false;
   pair.working_pressure_angle = std::acos(cosine);
@@ -201,7 +201,7 @@ bool go_in_alike(Mechanism::Starts starts, int rollers) { return starts.screw % 
 
 std::vector<GearPair> gear_pairs(const Mechanism& m, double centre_distance, double gap) {
   std::vector<GearPair> pairs;
-  const auto& [type, starts, rollers] = std::tie(m.type, m.starts, m.rollers);
+  const Mechanism::Starts starts = m.starts;
   if (starts.roller == 0) return pairs;
   const int first = (kFewestTeeth + starts.roller - 1) / starts.roller;
   for (int k = first; k * starts.roller <= kMostTeeth; ++k) {
@@ -216,8 +216,8 @@ std::vector<GearPair> gear_pairs(const Mechanism& m, double centre_distance, dou
       for (const double module : modules) {
         pair.module = module;
         pair.series = series;
-        if (!fit(type, centre_distance, pair)) continue;
-        pair.most_rollers = std::min(rollers, most_rollers(centre_distance, pitch_radius + module, gap));
+        if (!fit(m.type, centre_distance, pair)) continue;
+        pair.most_rollers = std::min(m.rollers, most_rollers(centre_distance, pitch_radius + module, gap));
         pairs.push_back(pair);
       }
     };
