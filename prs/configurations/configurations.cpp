@@ -32,7 +32,7 @@ int teeth_between(Mechanism::Type type, const GearPair& pair) {
 /// Sets working pressure angle and profile shift; false if base circles do not let the gears mesh or the shift is too
 /// large.
 bool fit(Mechanism::Type type, double centre_distance, GearPair& pair) {
-  const int teeth = teeth_between(m.type, pair);
+  const int teeth = teeth_between(type, pair);
   const double cosine = 0.5 * pair.module * teeth / centre_distance * std::cos(kPressureAngle);
   if (!(cosine < 1.0)) return false;
   pair.working_pressure_angle = std::acos(cosine);
@@ -209,7 +209,7 @@ std::vector<GearPair> gear_pairs(const Mechanism& m, double centre_distance, dou
     pair.roller_teeth = k * starts.roller;
     pair.body_teeth = k * starts.screw;
     pair.tooth_misfit = axial_pitch(m) / k;
-    const int teeth = teeth_between(type, pair);
+    const int teeth = teeth_between(m.type, pair);
     if (teeth <= 0) continue;
     const double pitch_radius = centre_distance * pair.roller_teeth / teeth;
     const auto try_series = [&](const auto& modules, int series) {
