@@ -110,7 +110,7 @@ TEST(StudyFigures, ParetoGraphAddsUpTheRankedContributions) {
   EXPECT_THAT(cloud.series.at(0).parts.at(0), SizeIs(500));
   const Polyline& line = cloud.series.at(1).parts.at(0);
   EXPECT_NEAR(line[0][1], 5.0 + 3.0 * (line[0][0] - 2.0), 1e-9);
-  EXPECT_EQ(text_of(*figures[2].panels[0].x), "Flank angle (deg)");
+  EXPECT_EQ(text_of(*figures[2].panels[0].x), "Flank angle (°)");
 }
 
 TEST(StudyFigures, HistogramHasAllDesigns) {
@@ -120,7 +120,7 @@ TEST(StudyFigures, HistogramHasAllDesigns) {
   double count = 0.0;
   for (const Polyline& bar : histograms.panels[0].series.at(0).parts) count += bar.at(2)[1];
   EXPECT_EQ(count, 500.0);
-  EXPECT_EQ(histograms.panels[0].references.back().at, 5.0);  // Value as in the file.
+  EXPECT_EQ(histograms.panels[0].references.back().at, 5e-3);  // Value as in the file, in GPa.
 }
 
 TEST(StudyFigures, SharesOfTheVarianceCarryTheirIntervals) {
