@@ -451,7 +451,7 @@ TEST(Mission, RunsThroughItsCyclesFromTheStart) {
 TEST(Mission, FromThePeriodicStateIsThatState) {
   SKIP_UNDER_SANITIZERS();
   Case c = with_duty(two_loads(warm_solved()), {acting("pull", 60.0), rest(30.0), acting("return", 45.0)});
-  c.model.loads = ModelOptions::Loads::at_rest;  // Those of `plain_heat`.
+  c.model.loads = ModelOptions::Loads::at_rest;  // `plain_heat` has loads at rest.
   const HeatCycle periodic = cycle_of(c);
   c.heat->cycles = 2;
   const auto at = [&](std::size_t k) {
