@@ -185,7 +185,8 @@ TEST(Engine, RefusesAWrongNewCase) {
   EXPECT_THAT(message("diameter", "30 mm"), HasSubstr("new: got diameter; expected the keys type"));
   EXPECT_THAT(message("lead", 10), HasSubstr("lead: got 10; expected a text"));
   EXPECT_THAT(message("starts", "five"), HasSubstr("starts: got \"five\"; expected a whole number"));
-  EXPECT_THAT(message("type", "upright"), HasSubstr("--type: got upright; expected standard, inverted or recirculating"));
+  EXPECT_THAT(message("type", "upright"),
+              HasSubstr("--type: got upright; expected standard, inverted or recirculating"));
   EXPECT_THAT(message("mechanism", "half"), HasSubstr("--mechanism: got half; expected sector or"));
   for (const char* lead : {"nan mm", "10", "10 kN", "inf mm", "0 mm", "1 km"})
     EXPECT_THAT(message("lead", lead), HasSubstr("--lead: got")) << lead;
