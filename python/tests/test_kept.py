@@ -76,7 +76,7 @@ def test_what_failed_says_why() -> None:
 def test_what_is_not_defined_says_what_it_needs() -> None:
     measures = answer(1, "measures", rs.MeasuresResult).measures
     assert measures.weight_kg is None
-    with pytest.raises(KeyError, match="it needs materials.density"):
+    with pytest.raises(KeyError, match="it needs `materials.density`"):
         measures["weight_kg"]
 
 
