@@ -572,7 +572,7 @@ def test_options_choose_what_is_drawn() -> None:
     ax = studied.plot_map("screw.peak_pressure_MPa.max", y="load_cases[0].position")
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("Axial force (kN)", "Position (mm)")
     bar = other_axes(ax)[0].get_ylabel().replace("\n", " ")
-    assert bar == "Max screw peak pressure (GPa)"
+    assert bar == "Largest peak pressure, screw (GPa)"
 
 
 def test_pictures_survive_in_json() -> None:

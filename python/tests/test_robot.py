@@ -106,7 +106,7 @@ def moved(axis: Axis, duration: float, control: Control, external: Force) -> Mot
 
 
 def lost(result: Any) -> float:
-    return float(sum(result["energy_J"]["lost"].values()))
+    return float(sum(lost for _, lost in result["energy_J"]["lost"].items()))
 
 
 def steady(result: Any, key: str, start: float, end: float) -> float:
