@@ -9,12 +9,13 @@ import typing
 import weakref
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import rollerscrew as rs
-from conftest import answer, lesson, lesson_commands
+from conftest import CONFIGS, answer, lesson, lesson_commands
 from rollerscrew import records, results
 
 RESULTS: list[type[rs.Record]] = [getattr(rs, name) for name in results.__all__]
@@ -33,6 +34,11 @@ NEVER_MET = {
     ("SecondNut", "equal_shares"),  # Of load cases without preload.
     ("Response", "stopped_at_s"),  # Of an integration that fails.
     ("InvalidCandidate", "row"),  # All of the catalogue here are sound.
+    # Of catalogues that print them, see tests/prs/size.
+    *(
+        ("SizedCandidate", name)
+        for name in ("axial_play_mm", "drag_torque_Nm", "grease_volume_cm3")
+    ),
     # Of curves that cannot tell two unknowns apart, see tests/prs/fit.
     *(("FitDirection", name) for name in ("combination", "direction", "names", "ratio")),
     *(
@@ -60,6 +66,7 @@ _TWO_NUTS = (
     f"spacer: {{length: 10 mm, inner_diameter: 36 mm, outer_diameter: 46 mm}}, {_PRELOAD}}}"
 )
 
+_BEARING = {"dynamic_capacity": "50 kN", "static_capacity": "90 kN", "preload": "5 kN"}
 _LIGHT = "[{axial_force: 3 kN, direction: tension, position: 29.1666667 mm}]"
 
 
@@ -102,6 +109,23 @@ VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
         24,
         "slip",
         {"friction": {"coulomb": 0.1}, "operation": {"speed": "100 rpm"}},
+    ),
+    (14, "life", {"bearings.fixed": _BEARING}),
+    (
+        34,
+        "response",
+        {
+            "response.load": {
+                "inertia": "20 kg m^2",
+                "linkage": {"base": "500 mm", "arm": "300 mm"},
+            },
+            "response.start.angle": "90 deg",
+        },
+    ),
+    (
+        30,
+        "slip",
+        {"heat.cycles": 2, "heat.start": "25 degC", "limits": {"temperature": "28 degC"}},
     ),
     (30, "slip", {"heat.conductance": dict.fromkeys(_WAYS_OUT, "1e-6 W/K")}),
     (9, "slip", {"preload": _TWO_NUTS, "load_cases": _LIGHT}),
@@ -190,8 +214,9 @@ _SEGMENTS = [
 ]
 _DESIGNS = {"screw_diameter": "24 mm", "lead": ["10 mm", "40 mm"], "starts": 5}
 _LUBRICATED = {"relubrication": "10 h", "back_driving": "allowed"}
-#: From the program's catalogue; what nothing passes.
-REQUIREMENTS: list[dict[str, Any]] = [
+#: A lever with its motor; from the program's catalogue; what nothing passes; a preloaded mission.
+REQUIREMENTS: list[dict[str, Any] | Path] = [
+    CONFIGS / "40_lever.yaml",
     {
         "motion": {"segments": _SEGMENTS},
         "load": {"moved_mass": "50 kg", "inclination": "90 deg"},
@@ -204,6 +229,15 @@ REQUIREMENTS: list[dict[str, Any]] = [
         "motion": {"segments": _SEGMENTS},
         "limits": {"nut_diameter": "40 mm"},
         "candidates": {"designs": _DESIGNS},
+    },
+    {
+        "motion": {"segments": _SEGMENTS},
+        "heat": {"conductance": {"screw_ambient": "3 W/K", "nut_ambient": "8 W/K"}, "cycles": 2},
+        "bearings": {"fixed": _BEARING},
+        "preload": {"force": "2 kN"},
+        "life": {"distance": "10 km"},
+        "model": {"loads": "static"},
+        "candidates": {"designs": {**_DESIGNS, "lead": "10 mm"}},
     },
 ]
 
