@@ -39,6 +39,8 @@ NEVER_MET = {
         ("SizedCandidate", name)
         for name in ("axial_play_mm", "drag_torque_Nm", "grease_volume_cm3")
     ),
+    # Of exports, whose rotor turns beside the screw.
+    *(("LeverMotion", f"middle_{name}") for name in ("gear_ratio", "reflected_inertia_kg_mm2")),
     # Of curves that cannot tell two unknowns apart, see tests/prs/fit.
     *(("FitDirection", name) for name in ("combination", "direction", "names", "ratio")),
     *(
