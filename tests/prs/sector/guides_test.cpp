@@ -348,7 +348,7 @@ TEST(Guides, AreBlamedForWhatNormalLoadsHaveNotInCommon) {
   ASSERT_NE(warning, r.warnings.end());
   EXPECT_THAT(warning->what, testing::HasSubstr(fmt::format("by {:+.1f} %, which takes {:.0f} % of its life",
                                                             100.0 * (all - 1.0), 100.0 * (1.0 - std::pow(all, -3.0)))));
-  EXPECT_THAT(warning->what, testing::HasSubstr("ring with a clearance of 0.1 um"));
+  EXPECT_THAT(warning->what, testing::HasSubstr("ring with a clearance of {0.1 um}"));
 }
 
 // Input --------------------------------------------------------------------------------------
