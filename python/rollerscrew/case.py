@@ -408,9 +408,9 @@ class Case(Analyses):
         """Writes the drive of the block `response` for MuJoCo; its warnings.
 
         The friction is that under `friction_load` [N], else under the root mean square force of
-        the run of `response`. Friction by force and sense is in a module of Python beside the
-        file: `axis_friction.py` beside `axis.xml`. `play="joint"` makes play and elasticity a
-        joint of their own.
+        the run of `response`. A Python module next to the file, `axis_friction.py` for
+        `axis.xml`, computes the friction by force and sense. `play="joint"` makes play and
+        elasticity a joint of their own.
         """
         if play not in (None, "joint"):
             raise ValueError(f"play: got {play!r}; expected 'joint' or None")

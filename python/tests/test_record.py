@@ -39,7 +39,7 @@ NEVER_MET = {
         ("SizedCandidate", name)
         for name in ("axial_play_mm", "drag_torque_Nm", "grease_volume_cm3")
     ),
-    # Of exports, whose rotor turns beside the screw.
+    # Only an export reports these: the screw turns the lever at a known lead there.
     *(("LeverMotion", f"middle_{name}") for name in ("gear_ratio", "reflected_inertia_kg_mm2")),
     # Of curves that cannot tell two unknowns apart, see tests/prs/fit.
     *(("FitDirection", name) for name in ("combination", "direction", "names", "ratio")),

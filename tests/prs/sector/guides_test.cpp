@@ -9,6 +9,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
+#include "prs/model/warning.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/slip/slip.h"
 #include "support/coarse_bodies.h"
@@ -348,7 +349,7 @@ TEST(Guides, AreBlamedForWhatNormalLoadsHaveNotInCommon) {
   ASSERT_NE(warning, r.warnings.end());
   EXPECT_THAT(warning->what, testing::HasSubstr(fmt::format("by {:+.1f} %, which takes {:.0f} % of its life",
                                                             100.0 * (all - 1.0), 100.0 * (1.0 - std::pow(all, -3.0)))));
-  EXPECT_THAT(warning->what, testing::HasSubstr("ring with a clearance of {0.1 um}"));
+  EXPECT_THAT(sentence(*warning), testing::HasSubstr("ring with a clearance of 0.1 um"));
 }
 
 // Input --------------------------------------------------------------------------------------
