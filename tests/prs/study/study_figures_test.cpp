@@ -109,7 +109,7 @@ TEST(StudyFigures, ParetoGraphAddsUpTheRankedContributions) {
   const Panel& cloud = figures[2].panels.at(0);
   EXPECT_THAT(cloud.series.at(0).parts.at(0), SizeIs(500));
   const Polyline& line = cloud.series.at(1).parts.at(0);
-  EXPECT_NEAR(line[0][1], 5.0 + 3.0 * (line[0][0] - 2.0), 1e-9);
+  EXPECT_NEAR(line[0][1], 1e-3 * (5.0 + 3.0 * (line[0][0] - 2.0)), 1e-12);  // In GPa.
   EXPECT_EQ(text_of(*figures[2].panels[0].x), "Flank angle (°)");
 }
 
