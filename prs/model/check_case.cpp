@@ -25,12 +25,18 @@ std::vector<Problem> check_case(const Case& c) {
   check_carrier(c.carrier, problems);
   if (c.heat) check_heat(c, problems);
   if (c.measures) check_measures(c, problems);
-  if (c.bearings && c.bearings->fixed.dynamic_capacity)
-    if (const Bearings::Fixed& b = c.bearings->fixed; !(b.preload < *b.dynamic_capacity))
+  if (c.bearings) {
+    const Bearings::Fixed& b = c.bearings->fixed;
+    if (!b.dynamic_capacity && !b.static_capacity && !b.stiffness)
+      problems.add("bearings.fixed",
+                   "got none of dynamic_capacity, static_capacity, stiffness; expected at least one; add "
+                   "`dynamic_capacity: 50 kN`, for example");
+    if (b.dynamic_capacity && !(b.preload < *b.dynamic_capacity))
       problems.add(
           "bearings.fixed.preload",
           "got {}; expected less than `dynamic_capacity`, {}: makers preload with a tenth of it; check the units",
           newton(b.preload), newton(*b.dynamic_capacity));
+  }
   if (c.response) check_response(c, problems);
   return std::move(problems).take();
 }

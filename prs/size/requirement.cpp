@@ -119,7 +119,13 @@ constexpr std::string_view kAlong = "without `linkage`", kOfLever = "only with `
 
 /// Speed along the axis or of a lever.
 static Quantity speed_of(bool is_lever) {
-  return is_lever ? Quantity{unit::rotational_speed, unbounded, "30 deg/s"} : Quantity{unit::travel_speed};
+  // A lever has no lead, by which a speed along the axis would be one of its speeds.
+  static const Dimension of_lever = [] {
+    Dimension turning = unit::rotational_speed;
+    turning.by_lead = nullptr;
+    return turning;
+  }();
+  return is_lever ? Quantity{of_lever, unbounded, "30 deg/s"} : Quantity{unit::travel_speed};
 }
 
 /// A block whose keys are those along the axis or those of a lever.

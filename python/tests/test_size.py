@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import jsonschema
 import pytest
 import rollerscrew as rs
+import yaml
 from conftest import CONFIGS, Run
 
 PRESS = CONFIGS / "32_press.yaml"
@@ -55,3 +57,14 @@ def test_a_case_is_no_requirement(tmp_path: Path) -> None:
         rs.size(CONFIGS / "01_config_1_to_3.yaml")
     with pytest.raises(rs.InputError, match="moved_mas"):
         rs.size({**LIFT, "load": {"moved_mas": "50 kg"}})
+
+
+def test_requirements_hold_to_their_schema(program: Run) -> None:
+    schema = jsonschema.Draft202012Validator(json.loads(program("schema", "requirement").stdout))
+    requirements = [f for f in sorted(CONFIGS.glob("*.yaml")) if "\nmotion:" in f.read_text()]
+    assert len(requirements) >= 3
+    for file in requirements:
+        schema.validate(yaml.safe_load(file.read_text()))
+    along = {"duration": "0.2 s", "end_speed": "300 mm/s", "force": "8 kN"}
+    schema.validate({"motion": {"segments": [along]}})  # One kind of speed, not both.
+    assert not schema.is_valid({"motion": {"segments": [{**along, "end_speed": "300 mm"}]}})
