@@ -1,9 +1,9 @@
-#include "prs/indices.h"
 #include "prs/input/study_reader.h"
 
 #include <algorithm>
 #include <numeric>
 
+#include "prs/indices.h"
 #include "prs/input/reader.h"
 #include "prs/input/varied_input.h"
 

@@ -1,8 +1,8 @@
-#include "prs/indices.h"
 #include "prs/input/study_reader.h"
 
 #include <algorithm>
 
+#include "prs/indices.h"
 #include "prs/input/units.h"
 
 namespace prs::input {

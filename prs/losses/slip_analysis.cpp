@@ -74,14 +74,14 @@ bool have_slip(const Result& r) {
          (!r.heat_cycle || r.heat_cycle->converged());
 }
 
-/// A duty cycle has temperatures of its own, and with them losses: the power lost is then the mean
-/// over the cycle.
+/// A duty cycle has temperatures of its own, and with them losses: the power lost is then the mean over the cycle or
+/// the mission.
 std::vector<Headline> losses(const Result& r) {
   Headline lost{"Power lost", "power_loss_W"};
   if (r.heat_cycle) {
     if (!r.heat_cycle->converged()) return {};
     lost.value = r.heat_cycle->energy_lost / r.heat_cycle->duration();
-    lost.where = "heat.duty: mean over the cycle";
+    lost.where = r.heat_cycle->is_mission() ? "heat.duty: mean over the mission" : "heat.duty: mean over the cycle";
     return {lost};
   }
   bool known = false;

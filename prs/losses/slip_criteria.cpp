@@ -44,8 +44,10 @@ bool screw_drives(const LoadCaseResult& r) {
 FoundCriterion efficiency(const Result& slip, const Case& c) {
   FoundCriterion found("efficiency", "the screw drives in no load case");
   found.applies = std::ranges::any_of(slip.load_cases, screw_drives);
-  if (const auto& cycle = slip.heat_cycle; cycle && !cycle->is_mission()) {
-    if (found.applies && cycle->converged()) found.take(cycle->efficiency, "heat.duty", "over the cycle");
+  // The life of a mission rests on its mean temperatures, and so does its efficiency over the spectrum.
+  if (const auto& cycle = slip.heat_cycle; cycle && !(cycle->is_mission() && c.life)) {
+    const char* const whole = cycle->is_mission() ? "over the mission" : "over the cycle";
+    if (found.applies && cycle->converged()) found.take(cycle->efficiency, "heat.duty", whole);
     if (!cycle->converged()) found.why = "the duty cycle did not converge", found.applies = true;
     return found;
   }

@@ -1,8 +1,8 @@
 #include "prs/report/tables.h"
 
 #include <regex>
-#include "prs/indices.h"
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/pictures.h"
 #include "prs/report/report.h"

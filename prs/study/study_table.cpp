@@ -1,8 +1,8 @@
-#include "prs/indices.h"
 #include "prs/study/study_files.h"
 
 #include <tuple>
 
+#include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/study/study_pictures.h"
 

@@ -1,9 +1,9 @@
-#include "prs/indices.h"
 #include "prs/svg/panel.h"
 
 #include <algorithm>
 #include <unordered_map>
 
+#include "prs/indices.h"
 #include "prs/svg/png.h"
 
 namespace prs {

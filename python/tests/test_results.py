@@ -457,3 +457,12 @@ def test_load_cases_one_or_several() -> None:
         shares = {tuple(line.get_ydata()) for line in ax.get_lines()}
         assert tuple(result.load_cases[0].screw.load_rate_percent) in shares
         plt.close("all")
+
+
+def test_a_mission_has_one_efficiency_and_one_peak() -> None:
+    mission = lesson(30).with_({"heat.cycles": 2, "heat.start": "25 degC"})
+    cycle = mission.slip().heat_cycle
+    verdict = {c.name: c for c in mission.check().verdict.criteria}
+    assert verdict["efficiency"].value == pytest.approx(cycle.efficiency, rel=1e-12)
+    peak = max(cycle.peak_degC.screw, cycle.peak_degC.rollers, cycle.peak_degC.nut)
+    assert verdict["temperature"].value == pytest.approx(peak, rel=1e-12)

@@ -1,8 +1,8 @@
-#include "prs/indices.h"
 #include "validation/extensions.h"
 
 #include <fmt/ranges.h>
 
+#include "prs/indices.h"
 #include "prs/loads/analyze.h"
 
 namespace prs::abevi_2015 {

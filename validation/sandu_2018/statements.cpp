@@ -1,8 +1,8 @@
-#include "prs/indices.h"
 #include "validation/sandu_2018/reference_example.h"
 
 #include <fmt/ranges.h>
 
+#include "prs/indices.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_pictures.h"
 
