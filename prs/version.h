@@ -2,7 +2,7 @@
 
 namespace prs {
 
-inline constexpr const char* kVersion = "0.1.0";
+inline constexpr const char* kVersion = "1.0.0";
 /// Version of the input and output names; raised when names are added.
 inline constexpr const char* kSchemaVersion = "1";
 

@@ -12,6 +12,11 @@ changes=$(awk -v heading="## $version" '/^## / { inside = index($0, heading) == 
   echo "release: commit what \`git status\` shows, and let CHANGELOG.md have an entry \`## $version\`" >&2
   exit 1
 }
+scripts/web.sh
+cmp build/web/source_id web/built/source_id || {
+  echo "release: copy build/web to web/built and commit it: released sources have live pages" >&2
+  exit 1
+}
 scripts/test.sh --sanitized
 scripts/test.sh --threads
 scripts/package.sh

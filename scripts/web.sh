@@ -7,6 +7,11 @@ cd "$(dirname "$0")/.."
 scripts/setup.sh web
 cmake -D OUTPUT=build/source_id -P cmake/source_id.cmake
 cmp -s build/source_id build/web/source_id && exit  # Nothing has changed.
+if cmp -s build/source_id web/built/source_id; then  # As released.
+  rm -rf build/web
+  cp -r web/built build/web
+  exit
+fi
 rm -rf build/web
 mkdir -p build/web
 (cd web && npm ci --silent --ignore-scripts --no-audit --no-fund && node build.mjs ../build/web)

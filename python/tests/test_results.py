@@ -153,7 +153,7 @@ BAD_TEXTS: dict[str, str] = {
     "null": "null",
     "a text": '"prs_version"',
     "another object": "{}",
-    "truncated": '{"prs_version": "0.1.0", "load_cases": [{"name": "a"',
+    "truncated": '{"prs_version": "1.0.0", "load_cases": [{"name": "a"',
     "trailing": '{"prs_version": "0"} {}',
     "trailing comma": '{"prs_version": "0",}',
     "comment": '{"prs_version": "0" /* */}',

@@ -31,7 +31,7 @@ TEST(LiveParts, AreReadWhereTheyAreOfTheseSources) {
 
 TEST(LiveParts, OfOtherSourcesAreRefused) {
   const test::TemporaryDirectory folder;
-  for (const std::string& id : {source_id() + "0", source_id().substr(1), std::string("0.1.0")}) {
+  for (const std::string& id : {source_id() + "0", source_id().substr(1), std::string("1.0.0")}) {
     test::write_live_parts(folder.path(), id);
     EXPECT_EQ(read_live_parts(folder.path()).absent, kOther) << id;
     EXPECT_THAT(read_live_parts(folder.path()).engine, IsEmpty());
