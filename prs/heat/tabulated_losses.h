@@ -50,7 +50,7 @@ class LossTable {
   Value at(const OfParts& temperature, bool with_slopes = true) const;
   Flows value_at(const OfParts& temperature) const { return at(temperature, false).value; }
 
-  /// Largest of all panels, as for `Effort::accuracy`.
+  /// Largest error of all panels, measured as `Effort::accuracy`.
   double error() const { return error_; }
 
  private:

@@ -49,8 +49,9 @@ struct CriterionRow {
   bool is_worse(double a, double b) const;
 };
 
-/// All criteria in the order in which they are shown. Recommended are a static safety of 1 to 3 by makers, half of the
-/// buckling load and 80 % of the critical speed by catalogues; grease and seals do not last above 120 degC.
+/// All criteria in the order in which they are shown. Recommended limits: makers ask for a static safety of 1 to 3,
+/// catalogues for half of the buckling load and 80 % of the critical speed; grease and seals do not last above 120
+/// degC.
 inline constexpr CriterionRow kCriteria[] = {
     {.name = "life", .title = "Life", .unit = "h", .needed = Command::life},
     {.name = "bearing_life", .title = "Life of the bearing", .unit = "h"},
