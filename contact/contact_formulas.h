@@ -25,7 +25,7 @@ Relief<Real> select(const simd::Lanes<Real>& which, const Relief<Real>& a, const
            select(which, a.curvature.yy, b.curvature.yy)}};
 }
 
-/// `point` is measured from the thread's own axis.
+/// Relief of a flank at a point, which is measured from the thread's own axis.
 template <class Real>
 Relief<Real> relief(const Flank<Real>& flank, const Real& side, const Real& twist, const Vector2<Real>& point) {
   const Real r = point.norm();
@@ -39,7 +39,7 @@ Relief<Real> relief(const Flank<Real>& flank, const Real& side, const Real& twis
            s * s * rr + 2.0 * c * s * rt + c * c * tt}};
 }
 
-/// A pair of flanks that face each other; gamma of the roller's face.
+/// A pair of flanks that face each other. `gamma` is that of the roller's face.
 template <class Real>
 struct FlankPair {
   const Flank<Real>& body;
@@ -107,17 +107,18 @@ Descent<Real> descend(const FlankPair<Real>& pair, const Vector2<Real>& start, c
     const Real descent = abs(here.slope.dot(step));
     d.iterations += select(active, Real(1.0), Real(0.0));
     simd::Lanes<Real> searching = active;
-    double length = 1.0;
+    double full_over_step = 1.0;
     for (int halving = 0; halving <= kMaxHalvings && any(searching); ++halving) {
       const Vector2<Real> trial = d.point + step;
       const Relief<Real> there = pair.clearance(trial);
       // Past the minimum along the step and steeper than before: too far.
-      const auto taken = searching && pair.exists_at(trial) && !(there.slope.dot(step) * length > 0.9 * descent);
+      const auto taken =
+          searching && pair.exists_at(trial) && !(there.slope.dot(step) * full_over_step > 0.9 * descent);
       d.point = {select(taken, trial.x, d.point.x), select(taken, trial.y, d.point.y)};
       d.relief = select<Real>(taken, there, d.relief);
       searching = searching && !taken;
       step = {0.5 * step.x, 0.5 * step.y};
-      length *= 2.0;
+      full_over_step *= 2.0;
     }
     active = active && !searching;
   }

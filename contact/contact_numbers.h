@@ -48,7 +48,7 @@ ContactNumbers<Real> contact_numbers(const FlankPair<Real>& pair, const Real& mo
 /// Both contacts of a mechanism (I1J2).
 template <class Real>
 struct MechanismContactNumbers {
-  Real sound{};  ///< 1 if all three threads are possible, else 0: then the rest is undefined.
+  Real sound{};  ///< 1 if all three threads are possible; if 0, the contacts are undefined.
   ContactNumbers<Real> screw, nut;
 };
 

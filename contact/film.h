@@ -34,8 +34,8 @@ Real roelands_viscosity_ratio(double viscosity, const Real& pressure) {
   return exp((std::log(viscosity) + 9.67) * expm1(kExponent * log1p(pressure / kPressure)));
 }
 
-/// Formulas for numbers, batches with one contact per lane, and either with a slope along the rolling speed: `Number`
-/// is the type of values that depend on the speed.
+// The formulas are written for numbers, batches with one contact per lane, and either with a slope along the rolling
+// speed: `Number` is the type of values that depend on the speed.
 
 /// Assumed direction of rolling of a contact for its central film: along the minor axis of its ellipse, or the real
 /// one.
@@ -87,7 +87,7 @@ MoesNumbersOf<Number> moes_numbers(const LubricantOf<Real>& lubricant, const Fil
           lubricant.pressure_viscosity * e * power(u, Real(0.25))};
 }
 
-/// H of `sandu_film`.
+/// Film parameter H of `sandu_film`.
 template <class Number>
 Number sandu_parameter(const MoesNumbersOf<Number>& moes) {
   using Real = simd::ValueOf<Number>;
@@ -211,7 +211,7 @@ inline constexpr double kLeastRollingRatio = 0.1, kGreatestRollingRatio = 25.0;
 double chittenden_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
                        double along_major);
 
-/// `chittenden_film` without a check; `rolling_speed` > 0.
+/// `chittenden_film` without the check that the contact rolls: `rolling_speed` > 0.
 template <class Number, class Real>
 Number chittenden_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
                             const Number& rolling_speed, const Number& along_major) {
@@ -228,7 +228,7 @@ Number chittenden_thickness(const LubricantOf<Real>& lubricant, const FilmContac
 /// Film for the direction of the contact: `nijenbanning_film` or `chittenden_film` [m].
 double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed, double along_major);
 
-/// `central_film` without a check; `rolling_speed` > 0.
+/// `central_film` without the check that the contact rolls: `rolling_speed` > 0.
 template <class Number, class Real>
 Number central_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
                          const MoesNumbersOf<Number>& moes, const Number& rolling_speed, const Number& along_major) {
@@ -247,7 +247,7 @@ Number central_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf
 ///     L = beta eta_0 u_m^2/k,   S = v/u_m
 ///
 /// the numerator not below 0.05; u_m half of the sum velocity, v the sliding speed at the centre.
-/// `rolling_speed`: the sum |u|; 1 of phi_T without rolling.
+/// `rolling_speed`: the sum |u|; without rolling phi_T is 1.
 template <class Number, class Real>
 Number film_factor(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact, const Real& peak_pressure,
                    const Number& rolling_speed, const Number& sliding_speed) {

@@ -36,7 +36,8 @@ struct LawParameter {
   bool may_be_zero = true;
 };
 
-/// A contact that rolls, alike at all of its points. Without rolling, or of a dry law, there is no film: zeros.
+/// A contact that rolls: properties that are alike at all of its points. Film ratio and shear factor are 0 without
+/// rolling, and for a dry law.
 template <class Number>
 struct RollingContactOf {
   using Real = simd::ValueOf<Number>;
@@ -66,7 +67,7 @@ struct Jacod {
   static constexpr LawFacts facts{"jacod", "lubricated contact, after Jacod", Lubrication::film, true};
   static constexpr std::array<LawParameter<Jacod>, 0> parameters{};
 
-  /// mu p/p_0 as a function of the point; so of every law.
+  /// Friction in the contact `c`: mu p/p_0 as a function of the point. Every law has this member.
   template <class Number>
   PRS_INLINED auto in(const RollingContactOf<Number>& c) const {
     return [c](const FrictionPointOf<Number>& at) PRS_INLINED {

@@ -111,10 +111,9 @@ struct SubsurfaceShear {
   double depth_over_semi_minor = 0.0;  ///< z/b [-]
 };
 
-/// Largest shear on the normal through the centre of an ellipse b/a = `ellipticity`. For nu = 0.3:
-/// 0.310 p_0 at 0.48 b in a circular contact, 0.300 p_0 at 0.79 b in a line contact, up to 0.325
-/// in between. For nu below about 0.2 long
-/// ellipses have it near the surface.
+/// Largest shear on the normal through the centre of an ellipse b/a = `ellipticity`. For nu = 0.3: 0.310 p_0 at 0.48 b
+/// in a circular contact, 0.300 p_0 at 0.79 b in a line contact, up to 0.325 p_0 in between. For nu below about 0.2
+/// long ellipses have it near the surface.
 SubsurfaceShear largest_subsurface_shear(double ellipticity, double poisson_ratio);
 
 /// Largest von Mises stress on that normal and its depth.

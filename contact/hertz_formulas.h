@@ -39,7 +39,7 @@ EllipticIntegralsOf<Real> complete_elliptic_integrals(const Real& axis_ratio) {
   Real g = sqrt(k);
   Real c2 = 0.25 * (1.0 - k) * (1.0 - k);
   Real term = 0.25 / ((1.0 + k) * (1.0 + k));  // 2^(n-1) c_n^2/m^2
-  Real sum = term;                             // (E/K of the circle's limit - E/K)/m^2, see D
+  Real sum = term;                             // (1 - m/2 - E/K)/m^2
   const auto apart = [&] { return c2 > std::numeric_limits<double>::epsilon() * a * a; };
   // Converged lanes stay unchanged, whatever their neighbours in a batch do.
   for (auto active = apart(); any(active); active = active && apart()) {
@@ -86,7 +86,7 @@ template <class Real>
 Real ellipticity_of(const Real& curvature_ratio) {
   // Newton on ln((b/a)^2 D/B) = ln(ratio) over ln(b/a): nearly a straight line, slope between 1.5
   // (circle) and 2 (line). The residual is the logarithm of a number near 1, so its rounding does
-  // not grow with the ratio. A second order step needs no check once the first is below 1e-8.
+  // not grow with the ratio. The error after a step is about its square: one below 1e-8 is the last.
   Real k = min(Real(1.0), Real(1.0 / antoine_ellipticity(Real(1.0 / curvature_ratio))));
   auto active = curvature_ratio > 0.0;
   for (int i = 0; i < 20 && any(active); ++i) {

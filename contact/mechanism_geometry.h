@@ -9,7 +9,7 @@ namespace contact {
 enum class MechanismType : std::int64_t {
   standard,       ///< The nut is geared to the rollers and matches their helix angle.
   inverted,       ///< The screw is geared to the rollers; their helix angles are opposite.
-  recirculating,  ///< Rollers with grooves and without teeth, which a recess leads back by a lead per orbit.
+  recirculating,  ///< Rollers with grooves and without teeth; a recess leads them back by a lead per orbit.
 };
 inline constexpr std::array kMechanismTypes = {MechanismType::standard, MechanismType::inverted,
                                                MechanismType::recirculating};
@@ -22,12 +22,13 @@ struct TypeFacts {
   /// nut turns. Rollers with teeth are geared to that part.
   bool carrier_on_nut;
   int roller_hand;  ///< Hand of the rollers' threads over that of the screw; 0: grooves, and no teeth.
-  /// Screw starts over roller starts of a matched mechanism less the ratio of the diameters of screw and roller.
+  /// Ratio of the starts of screw and roller less that of their pitch diameters, in a matched mechanism.
   int starts_over_diameters;
   int fewest_starts, most_starts;  ///< Usual starts of the screw.
   int unloaded_rollers;            ///< Usual number of rollers that carry nothing.
 };
 
+// The numbers of a row: hand of the rollers, starts over diameters, fewest and most starts, unloaded rollers.
 inline constexpr TypeFacts kTypeFacts[] = {
     {"standard", "the rollers stay in place on the nut", true, 1, 2, 3, 10, 0},
     {"inverted", "the rollers stay in place on the screw", false, -1, 0, 1, 10, 0},

@@ -114,7 +114,7 @@ double surface_rise(const HertzContact& ellipse, const HeatedBody& body, double 
   const double at_rest = 3.0 * power * complete_elliptic_integrals(b / a).first / (4.0 * kPi * body.conductivity * a);
   const double speed = std::hypot(body.speed_major, body.speed_minor);
   if (!(speed > 0.0)) return at_rest;
-  // l/V, how long half of the band takes.
+  // l/V, the time in which the surface passes half of the band.
   const double time = 1.0 / std::hypot(body.speed_major / a, body.speed_minor / b);
   const double flux = 3.0 * power / (2.0 * kPi * a * b);
   const double fast = kBand * flux * std::sqrt(time / (body.conductivity * body.density * body.specific_heat));

@@ -107,7 +107,7 @@ SlidingFieldOf<Number> sliding_field(const PatchMotionOf<Number>& motion, const 
   return {motion.sliding_major, motion.sliding_minor, motion.spin * semi_major, motion.spin * semi_minor};
 }
 
-/// The contact of a law while it rolls so.
+/// Properties of a contact with this law and motion, for the friction at its points.
 template <class Number, class Real>
 RollingContactOf<Number> rolling_contact(const FrictionLawOf<Real>& law, const Real& peak_pressure,
                                          const PatchMotionOf<Number>& motion) {

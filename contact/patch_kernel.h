@@ -5,8 +5,8 @@
 
 namespace contact {
 
-/// Points of a contact patch in units of its semi-axes. Filled up to a multiple of simd::kWidest by
-/// points inside that have no dome, nor the inverse of it.
+/// Points of a contact patch in units of its semi-axes, filled up to a multiple of simd::kWidest. The
+/// points that fill it lie inside; their dome and its inverse are 0, so that they add nothing.
 struct PatchPoints {
   const double* along_major = nullptr;
   const double* along_minor = nullptr;

@@ -106,7 +106,8 @@ RadiiOf<Real> sharp_limits(const Flank<Real>& f) {
           radius_at_rise(f, Real((0.5 * f.pitch - f.half_groove) / f.stretch))};
 }
 
-/// `internal`: a nut, which is as grooved as its thread is thick.
+/// Flank of a thread. `internal`: a nut, described by its air; the groove of the air is as wide as the nut's thread is
+/// thick.
 template <class Real>
 Flank<Real> flank_of(const ThreadNumbers<Real>& t, bool internal) {
   Flank<Real> f;
@@ -192,7 +193,7 @@ struct ThreadSurface : Flank<double> {
   double helix_angle() const;  ///< beta = atan(l/(2 pi r_T)) [rad], sign of the lead (1.3).
 };
 
-/// A thread without the data that only a person reads.
+/// A thread as numbers: heights that it does not state are NaN, a thickness that it does not state is half the pitch.
 ThreadNumbers<double> numbers_of(const Thread& thread);
 
 using RadiusLimits = RadiiOf<double>;

@@ -41,8 +41,8 @@ struct MeridianGrid {
   std::size_t cell_index(int column, int layer) const { return static_cast<std::size_t>(column * layers + layer); }
 };
 
-/// The filled cells of a grid as a mesh. Throws std::invalid_argument if a cell is turned over or a point lies at r <
-/// 0.
+/// The filled cells of a grid as a mesh. Throws std::invalid_argument if a cell is turned over or a point
+/// has r < 0.
 class MeshedGrid {
  public:
   explicit MeshedGrid(const MeridianGrid& grid);
@@ -56,7 +56,7 @@ class MeshedGrid {
   MeridianEdge outwards(int column, int layer) const;
 
  private:
-  /// Node at twice the grid coordinates.
+  /// Node at the grid point (i/2, j/2); with an odd i or j the middle of a side.
   int at(int i, int j) const { return index_[static_cast<std::size_t>(i * stride_ + j)]; }
 
   int stride_ = 0;
@@ -64,17 +64,19 @@ class MeshedGrid {
   MeridianMesh mesh_;
 };
 
-/// Bodies of revolution under loads expanded in Fourier series around the axis (Wilson, AIAA J. 3,
-/// 1965; Zienkiewicz and Taylor, The Finite Element Method, vol. 2, chapter on semi-analytical
-/// processes). The displacement of harmonic n, symmetric about the plane theta = 0, is
-///
-///     u_r = U(r, z) cos(n theta),  u_theta = V(r, z) sin(n theta),  u_z = W(r, z) cos(n theta),
-///
-/// and harmonics are uncoupled. n = 0 has no V: torsion is left out. Vectors over the mesh
-/// hold (U, V, W) of node after node [m], nodal loads the work-conjugate forces [N]: load times
-/// displacement is the work over the whole circumference, so that the loads contain
-///
-///     c_n = 2 pi for n = 0 (int cos^2 over the circle), pi for n >= 1.
+// Bodies of revolution under loads expanded in Fourier series around the axis (Wilson, AIAA J. 3,
+// 1965; Zienkiewicz and Taylor, The Finite Element Method, vol. 2, chapter on semi-analytical
+// processes). The displacement of harmonic n, symmetric about the plane theta = 0, is
+//
+//     u_r = U(r, z) cos(n theta),  u_theta = V(r, z) sin(n theta),  u_z = W(r, z) cos(n theta),
+//
+// and harmonics are uncoupled. n = 0 has no V: torsion is left out. Vectors over the mesh
+// hold (U, V, W) of node after node [m], nodal loads the work-conjugate forces [N]: load times
+// displacement is the work over the whole circumference, so that the loads contain
+//
+//     c_n = 2 pi for n = 0 (int cos^2 over the circle), pi for n >= 1.
+
+/// Displacements of a harmonic: U, V and W.
 enum class Component { radial, circumferential, axial };
 inline constexpr int kComponents = 3;
 
@@ -157,7 +159,7 @@ class HarmonicBody {
   int unknowns() const { return stiffness_.size(); }
 
  private:
-  /// Equation of a row and its sign; -1 if held.
+  /// Equation of a row and its sign. The equation is -1 if the row is held.
   struct Freedom {
     int equation = -1;
     double sign = 1.0;

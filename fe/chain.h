@@ -7,11 +7,11 @@
 
 namespace fe {
 
-/// Displacement of the loaded freedom by `unit_load` there with the tangent K of the contacts, which replaces the
-/// states, where `wanted`; NaN elsewhere, and where K is singular or its factors have too few digits.
+/// Displacement of the loaded freedom by `unit_load` there, K x = f with the contacts' tangent K, in the lanes
+/// `wanted`. NaN in the others, and where K is singular or its factors have too few digits. x replaces the states.
 ///
-/// With the solution x so far, K x = f - r, the result is x'f + x'r with an error of second order in that of x: x is
-/// refined until the second term is small.
+/// An approximate solution has K x = f - r, and x'f + x'r has an error of second order in that of x: x is refined until
+/// x'r is small.
 template <class Real, class Station>
 Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& unit_load, const Lanes<Real>& wanted) {
   constexpr int M = Station::kFreedoms, kMostRefinements = 10;
@@ -49,8 +49,8 @@ Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& un
   return flexibility;
 }
 
-/// Sums over the contacts at a full step d: energy E, force N, tangent t, change of net approach
-/// delta.
+/// Sums over the contacts for a full step d: E the energy after it, N and t force and tangent before it, delta the
+/// decrease of net approach by it.
 template <class Real>
 struct ChainStepSums {
   Real energy = Real(0.0);     ///< E after the step [J]
@@ -169,7 +169,7 @@ struct ChainSummary {
 ///
 ///     E(a) - E(0) = sum of the contacts' - a (d'r - sum N delta) + a^2/2 (d'r - sum t delta^2),
 ///
-/// with delta the change of a contact's net approach.
+/// with delta the decrease of a contact's net approach by d.
 template <class Real, class Station, class Law>
 class Chain {
  public:
@@ -198,8 +198,8 @@ class Chain {
     return summary_;
   }
 
-  /// Displacement of the loaded freedom per load at the current state, which is overwritten; NaN if that is not an
-  /// equilibrium, or as in chain_flexibility.
+  /// Displacement of the loaded freedom per load at the current state, which is overwritten. NaN if the state is no
+  /// equilibrium, or for a reason of chain_flexibility.
   Real flexibility() const {
     Real unit(1.0);
     if constexpr (kFolded<Station>) unit = select(abs(load_) > 0.0, unit, Real(0.0));
@@ -308,18 +308,18 @@ class Chain {
     checked_ = check;
     if (!any(check)) return;
     const Real whole = look_at_all(check);
-    // Upper bound of the last step's change of a contact's force, relative to the largest: if only one contact changes,
-    // the work of the change is 5/3 of its square times the energy. Too large by at most the root of twice the number
-    // of contacts.
+    // Upper bound of the last step's change of a contact's force, relative to the largest force. A change dN of one
+    // contact has t delta^2 = 5/3 (dN/N)^2 times the energy of that contact. The bound is too large by at most the root
+    // of twice the number of contacts.
     const Real change = sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ * s.stiffness / contact_energy_);
-    const Mask told = approach_rounding(chain_) <= options.force_tolerance;
+    const Mask resolved = approach_rounding(chain_) <= options.force_tolerance;
     const Mask exact = options.exact(change, whole, before);
     const Mask small_in_all = options.small(whole);
-    const Mask done = candidate & told & exact & small_in_all;
+    const Mask done = candidate & resolved & exact & small_in_all;
     // A whole residual that its own step does not reduce is due to rounding.
     const Mask stalled = candidate & checked_before & !done & options.stalled(whole, before);
     const Mask rounded =
-        any(stalled) ? stalled & told & options.rounded(length_ * force_change(chain_), whole) : stalled;
+        any(stalled) ? stalled & resolved & options.rounded(length_ * force_change(chain_), whole) : stalled;
     summary_.converged = summary_.converged | done | rounded;
     summary_.at_rounding = summary_.at_rounding | rounded;
     summary_.search_failed = summary_.search_failed | (stalled & !rounded);
@@ -346,9 +346,9 @@ class Chain {
   ChainResidual<Real> residual_;  ///< Right-hand side of the next step.
   Mask active_,
       checked_;                ///< Lanes checked by the whole residual after the last step.
-  Real length_;                ///< Fraction of the last step taken,
-  Mask moved_;                 ///< lanes that took it;
-  bool move_pending_ = false;  ///< the states do not contain it yet.
+  Real length_;                ///< Fraction of the last step that was taken.
+  Mask moved_;                 ///< Lanes that took the last step.
+  bool move_pending_ = false;  ///< Whether the states do not contain the last step yet.
 };
 
 }  // namespace fe

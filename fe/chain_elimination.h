@@ -25,8 +25,9 @@ class ChainElimination {
       : station_(chain.station), stations_(chain.count), records_(chain.records) {}
 
   /// Factors the tangent, with its linear part times 1 + shift, and does the forward half of the
-  /// solve. Calls move(record) of each station first. True where a pivot is not positive. One code
-  /// for all shifts: a chain without one has the same bits whatever its neighbours need.
+  /// solve. Calls move(record) of each station first. Returns true where a pivot is not positive. The
+  /// same code serves all shifts: a chain without a shift has the same bits whatever its neighbours
+  /// need.
   template <class Move>
   Mask factorize(const ChainResidual<Real>& residual, const Real& shift, const Move& move) const {
     Front front;
@@ -36,7 +37,7 @@ class ChainElimination {
     });
     front.right[0] = -residual.load;
     const Real scale = 1.0 + shift;
-    Real smallest(1e300);  // pivot; one that is no number makes those after it so
+    Real smallest(1e300);  // Smallest pivot; one that is NaN makes all later ones NaN.
     const int last = stations_ - 1;
     for (int k = 0; k < last; ++k) {
       move(records_[k]);
@@ -60,15 +61,16 @@ class ChainElimination {
   }
 
  private:
-  /// Upper triangle and right-hand side of a station and the next one. `added` collects what the
-  /// stations bring, apart from what eliminations leave, which is late.
+  /// Upper triangle and right-hand side of a station and the next one. `added` collects the stations'
+  /// own terms, apart from the terms of eliminations, which are computed later.
   struct Front {
     Real a[2 * M][2 * M];
     Real added[2 * M][2 * M];
     Real right[2 * M];
   };
 
-  /// add(i, j, value) of a station into the front; `scale` is that of the diagonal.
+  /// Function add(i, j, value) that adds a station's terms to the front, those of the diagonal times
+  /// `scale`.
   PRS_INLINED static auto adder(const Real& scale, Front& front) {
     return [&](auto i, auto j, const Real& value) PRS_INLINED {
       if constexpr (i == j)
@@ -111,7 +113,7 @@ class ChainElimination {
           record.multiplier[fill.place[p][j]] = multiplier;
           front.right[j] -= multiplier * front.right[p];
           unroll<kReach>([&](auto i) PRS_INLINED {
-            if constexpr (i == j && j == p + 1)  // the next pivot, the sooner the better
+            if constexpr (i == j && j == p + 1)  // The next pivot, on which the next elimination waits.
               front.a[j][j] -= front.a[p][j] * front.a[p][j] * inverse;
             else if constexpr (i >= j && fill.meets[p][i])
               front.a[j][i] -= multiplier * front.a[p][i];
@@ -121,7 +123,7 @@ class ChainElimination {
     });
   }
 
-  /// The next station's part of the front becomes the first.
+  /// Moves the next station's part of the front to the place of the first.
   PRS_INLINED void pass_on(int k, const Real& scale, Front& front) const {
     unroll<M>([&](auto i) PRS_INLINED {
       front.right[i] = front.right[M + i];

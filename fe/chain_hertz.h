@@ -5,7 +5,7 @@
 
 namespace fe {
 
-/// N = k_0 <w - g>^1.5, the PowerLawSpring of chains: contact 0 and 1 of every station.
+/// N = k_0 <w - g>^1.5, the PowerLawSpring of chains; one constant for contact 0 of all stations, one for contact 1.
 template <class Real>
 struct ChainHertz {
   Real stiffness[2];  ///< k_0 [N/m^1.5]
@@ -23,8 +23,9 @@ struct ChainHertz {
   }
 };
 
-/// ChainHertz with a linear compliance in series, N = k_0 <w - g - c N>^1.5, of either sign and
-/// along its tangent once c < 0 takes back half of what the power law adds (see PowerLawSpring).
+/// ChainHertz with a linear compliance c of either sign in series, N = k_0 <w - g - c N>^1.5. Once a
+/// c < 0 takes back half of what the power law adds, the force grows along its tangent (see
+/// PowerLawSpring).
 template <class Real>
 struct ChainHertzInSeries {
   Real stiffness[2];
@@ -46,7 +47,7 @@ struct ChainHertzInSeries {
     for (int iteration = 0; iteration < 100 && any(searching); ++iteration) {
       const Real step = (x * x * (1.0 + a * x) - total) / (x * (2.0 + 3.0 * a * x));
       x = select(searching, x - step, x);
-      searching = searching & (abs(step) > 1e-9 * x);  // its square is beyond rounding
+      searching = searching & (abs(step) > 1e-9 * x);  // The next step is about its square, below rounding.
     }
     x = select(linear, largest_x, x);
     const Real force = k0 * x * x * x;

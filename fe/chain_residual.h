@@ -52,9 +52,9 @@ struct WholeResidual {
   Real linear_energy;  ///< Energy of the linear elements and the load [J].
 };
 
-/// Residual of the states under the load on freedom 0 of station 0. Where marked, what of the
-/// residual is not the contacts' remainders becomes the correction; elsewhere, unless `active`,
-/// corrections stay.
+/// Residual of the states under the load on freedom 0 of station 0. In marked lanes the correction
+/// becomes the residual less the contacts' remainders; in others it becomes 0 where `active`, and
+/// stays where not.
 template <class Real, class Station, class Move>
 WholeResidual<Real> whole_residual(const ChainStations<Real, Station>& chain, const Real& load, const Move& move,
                                    const Lanes<Real>& marked, const Lanes<Real>& active) {
@@ -86,11 +86,12 @@ WholeResidual<Real> whole_residual(const ChainStations<Real, Station>& chain, co
   }
   energy = total<Station>(energy);
   worst = of_both<Station>(worst);
-  // The largest of numbers some of which are none can be any; their sum is none.
+  // The maximum of numbers of which some are NaN can be any of them; their sum is NaN.
   return {select(energy <= energy, worst, energy), energy};
 }
 
-/// Corrections become f - K x, x being the states and f `load` on the loaded freedom; x'(f - K x).
+/// Sets the corrections to f - K x, x being the states and f `load` on the loaded freedom. Returns
+/// x'(f - K x).
 template <class Real, class Station>
 Real tangent_residual(const ChainStations<Real, Station>& chain, const Real& load) {
   constexpr int M = Station::kFreedoms;

@@ -12,8 +12,8 @@
 ///
 /// - `kFreedoms`: M, freedoms of a station
 /// - `couples(i, j)`: whether the interval to the next station couples freedom i with j there
-/// - `form<contact>()`: the approaches of the two contacts as linear forms of the freedoms
-/// - `coefficient(contact, kind)`: of the forms
+/// - `form<contact>()`: terms of the contact's approach, a linear form of the freedoms
+/// - `coefficient(contact, kind)`: coefficient of the terms of this kind in that form
 /// - `held(k, Index<i>)`: whether freedom i of station k cannot move
 /// - `add_station(k, add)`: stiffness of supports and elements within station k
 /// - `add_interval_start(k, add)`: terms of the interval from k to k + 1 at k, and its coupling
@@ -22,7 +22,7 @@
 /// - `add_forces(k, here, next, force, next_force)`: the forces of the interval
 ///
 /// with add(Index<i>, Index<j>, value) for i <= j, j >= M meaning freedom j - M of the next station. A held freedom has
-/// a support of infinite stiffness: its inverse pivot is 0, and with it all that it passes on, exactly.
+/// a support of infinite stiffness: the inverse of its pivot is exactly 0, and so is all that its elimination adds.
 ///
 /// A `Law` defines the contacts' force: evaluate(contact, k, net approach) -> ChainResponse.
 
@@ -64,7 +64,8 @@ struct ChainState {
   }
 };
 
-/// Freedoms coupled to each pivot of a station, its own station first, after the pivots before it are eliminated.
+/// Freedoms coupled to each pivot of a station once the pivots before it are eliminated: M of the station itself, then
+/// M of the next one.
 template <class Station>
 struct ChainFill {
   static constexpr int M = Station::kFreedoms;
@@ -159,9 +160,9 @@ PRS_INLINED inline void add_tangent(const Station& station, Real (&a)[N][N], con
   });
 }
 
-/// Whether two lanes are the halves of one chain of twice as many stations, from its first station
-/// on and from its last one back to the middle, every interval of the second half being given in the
-/// sense of its walk. Loads are {load, 0}, and Station::mirrored(x) swaps the lanes. The halves are
+/// Whether the two lanes are the halves of one chain of twice as many stations: lane 0 goes from the
+/// first station to the middle, lane 1 from the last one back to the middle, its intervals given in
+/// this direction. Loads are {load, 0}, and Station::mirrored(x) swaps the lanes. The halves are
 /// eliminated at once and meet in the middle (twisted factorization: Parlett, Dhillon, Linear
 /// Algebra Appl. 267, 1997): a single solve waits for half as many pivots one after the other.
 template <class Station>

@@ -2,8 +2,8 @@
 
 #include "fe/cholesky.h"
 
-/// CHOLMOD of SuiteSparse. The engine of pages is built without it (PRS_CHOLMOD), and has Eigen's
-/// factorization behind the same functions. All of them throw std::bad_alloc.
+/// CHOLMOD of SuiteSparse. The engine of live pages is built without it (PRS_CHOLMOD), and has Eigen's
+/// factorization behind the same functions. All of them throw std::bad_alloc if memory does not suffice.
 namespace fe {
 
 /// LDL' without blocks, for patterns of the size of a sector.

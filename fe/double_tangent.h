@@ -5,7 +5,7 @@
 
 namespace fe {
 
-/// The tangent in doubles and its factorization: what steps of Newton's method are solved with.
+/// The tangent in doubles and its factorization, which solve the steps of Newton's method.
 class DoubleTangent {
  public:
   explicit DoubleTangent(const Equations& equations)
@@ -48,6 +48,7 @@ class DoubleTangent {
   /// Call it after a change of the linear part.
   void forget() { factorized_.clear(); }
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { cholesky_.solve(b, x); }
+  /// Whether x solves for b at all: no entry of the residual is above a tenth of the largest one of b.
   bool solved(const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
     Eigen::VectorXd left = b;
     for (int j = 0; j < tangent_.size(); ++j)

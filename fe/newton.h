@@ -14,7 +14,7 @@ class WideNewton;
 struct FollowingLoad {
   struct Share {
     int equation;
-    double times;
+    double times;  ///< Load on the equation per force of the spring.
   };
   /// `loads`: per force of each spring.
   FollowingLoad(const Equations& equations, Eigen::VectorXd constant, const std::vector<std::vector<NodalLoad>>& loads);
@@ -49,8 +49,8 @@ class NewtonSolver {
   /// unchanged, if that fails too.
   bool follow(const FollowingLoad& load, const NewtonOptions& options, State& q);
 
-  /// State of bilateral linear springs of the given stiffnesses in place of the contacts, gaps included. Returns false
-  /// if the structure is still singular.
+  /// Sets a state to start from: that of bilateral linear springs of the given stiffnesses in place of the contacts,
+  /// gaps included. Returns false if the structure is still singular.
   bool start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q);
 
   /// Displacements by the loads on linear springs of the given stiffnesses in place of the contacts, each refined to

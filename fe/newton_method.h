@@ -122,14 +122,15 @@ class NewtonMethod {
       if (!small && !stalled) continue;
       const double change = numbers_.force_change(q, step_);
       const bool exact = before == 0.0 || options.exact(change, summary.relative_residual, before);
-      const auto told = [&] { return numbers_.force_rounding(q) <= options.force_tolerance; };
-      if (small && exact) return stop(told() ? NewtonStatus::converged : NewtonStatus::line_search_failed);
+      const auto resolved = [&] { return numbers_.force_rounding(q) <= options.force_tolerance; };
+      if (small && exact) return stop(resolved() ? NewtonStatus::converged : NewtonStatus::line_search_failed);
       // Springs at the point of closing leave a fifth of the residual per step.
       if (energy_is_rounding && summary.relative_residual > kNoLess * before) ++stalls;
       if (stalls > Numbers::kMostStalls || (stalled && numbers_.residual_is_rounding(q, residual_))) {
         summary.at_rounding = true;
-        return stop(options.rounded(change, summary.relative_residual) && told() ? NewtonStatus::converged
-                                                                                 : NewtonStatus::line_search_failed);
+        return stop(options.rounded(change, summary.relative_residual) && resolved()
+                        ? NewtonStatus::converged
+                        : NewtonStatus::line_search_failed);
       }
     }
     return summary;
@@ -138,7 +139,8 @@ class NewtonMethod {
  private:
   /// Number of linear solves after which their accuracy is checked.
   static constexpr int kUsualIterations = 20;
-  /// Share of a residual that counts as no decrease: a sign of lost digits, not of closing threads.
+  /// Share of the last residual above which a step counts as no decrease: a sign of lost digits, not of closing
+  /// threads.
   static constexpr double kNoLess = 0.3;
 
   /// Largest changes of the springs' tangents, relative to the last factorization, with which a step reuses it: a step

@@ -81,7 +81,7 @@ enum class NewtonStatus {
   line_search_failed,
   not_positive_definite,
   no_equilibrium,
-  mechanism,
+  mechanism,  ///< A part can move freely; stated by callers, not by the solver.
 };
 
 std::string_view name(NewtonStatus status);

@@ -80,7 +80,7 @@ inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   if (s.series_compliance == 0.0) return power_law(s.stiffness, total);
 
   const double largest = largest_deflection(s);
-  // Root there: at least 2/3 of it is the approach of the law.
+  // At `largest` the series spring takes back a third of it: c k d^1.5 = -d/3.
   if (total > 2.0 / 3.0 * largest) {
     SpringResponse r = response_in_series(s, largest);
     const double beyond = total - (largest + s.series_compliance * r.force);

@@ -184,10 +184,9 @@ ShellBlocks<Real> doubled(const ShellBlocks<Real>& k, bool radially_rigid) {
   return w;
 }
 
-/// Stiffness of a uniform length.
-/// Exact to about 1e-10: polynomials of degree 7 on pieces no longer than the shortest wave of the
-/// wall, their inner freedoms and the nodes between pieces eliminated. Positive definite for
-/// positive rigidities with H A > C^2.
+/// Stiffness of a uniform length, exact to about 1e-10: polynomials of degree 7 on pieces no longer than the shortest
+/// wave of the wall, their inner freedoms and the nodes between pieces eliminated. Positive definite for positive
+/// rigidities with H A > C^2.
 template <class Real>
 ShellBlocks<Real> shell_blocks(const ShellRigidityOf<Real>& s, const Real& length) {
   using simd::any, simd::max, simd::select, simd::sqrt;

@@ -9,11 +9,11 @@ namespace fe {
 
 /// Newton's method in numbers of 113 binary digits, for models whose stiffnesses are so far apart
 /// that doubles lose the softest of them: stiffnesses 17 decades apart keep 16 digits. Mechanisms with random
-/// deviations, free rings and loads near the limit of equilibrium need its forces; its tangents, bodies that are
-/// rigid compared with their contacts.
+/// deviations, free rings and loads near the limit of equilibrium need wide forces; bodies that are rigid compared
+/// with their contacts need wide tangents, too.
 class WideNewton {
  public:
-  /// `doubles`: what steps in doubles are solved with.
+  /// `doubles`: tangent and factorization of the steps in doubles.
   WideNewton(const Equations& equations, DoubleTangent& doubles);
   ~WideNewton();
 

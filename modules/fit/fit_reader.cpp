@@ -220,7 +220,8 @@ class FitReader : input::VariedInput {
       if (const auto by = conversion(written->unit, p.unit)) prior.deviation = by->factor * written->number;
     if (written && written->unit == "%" && slot.dimension && zero_depends_on_unit(*slot.dimension))
       fail(path_ + ".prior.deviation",
-           "got {} of a temperature, whose zero is a convention; expected a value; write for example `deviation: 1 K`",
+           "got {} of a temperature, whose zero is a convention; expected no share but a value with unit; write for "
+           "example `deviation: 1 K`",
            shown(item.deviation));
     if (written && written->unit == "%" && written->number > 0.0 && prior.mean == 0.0)
       fail(path_ + ".prior.deviation", "got {} of a mean of 0; expected a value; write for example `deviation: {}`",
@@ -622,8 +623,8 @@ class FitReader : input::VariedInput {
       fail("fit.curves", "got none with `use: fit`; expected one at least; write `use: fit`, or delete the key");
     if (rows < unknowns)
       fail("fit.parameters",
-           "got {} rows, priors included, for {} parameters, offsets included; expected as many at least; measure "
-           "more, or fix some",
+           "got {} rows, priors included, for {} parameters, offsets included; expected at least as many rows; "
+           "measure more, or fix some parameters",
            rows, unknowns);
   }
 

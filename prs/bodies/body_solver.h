@@ -13,7 +13,7 @@ struct LoadedMechanism {
   const PerInterface<ContactLaw>& laws;
 };
 
-/// One sector of it: a direction of the load, and a position of the first contact on the nut.
+/// One sector of a loaded mechanism: a direction of the load, and a position of the first contact on the nut.
 struct LoadedSector : LoadedMechanism {
   Direction direction = Direction::tension;
   double position = 0.0;  ///< [m]
@@ -27,19 +27,20 @@ struct LoadedSector : LoadedMechanism {
 /// Equilibrium of one sector under the axial force on the whole mechanism [N], > 0.
 using DistributionSolver = std::function<LoadDistribution(double axial_force)>;
 
-/// A sector of a screw that turns: a state, which goes on under the axial force of the last solve at rest and friction.
+/// A sector of a screw that turns. Its state begins with the last solve at rest and continues under the same axial
+/// force with friction.
 class RunningSector {
  public:
   virtual ~RunningSector() = default;
 
   virtual LoadDistribution at_rest(double axial_force) = 0;
-  /// Goes on under friction that does not follow the loads.
+  /// Continues under friction that does not follow the loads.
   virtual fe::NewtonStatus go_on(const RollerPush& push) = 0;
-  /// Goes on under friction in these proportions to the normal loads. False, and the state is as it was, where it
-  /// finds none.
+  /// Continues under friction in these proportions to the normal loads. Returns false, with the state unchanged, if it
+  /// finds no equilibrium.
   virtual bool follow(const RollerPush& per_normal_load) = 0;
 
-  /// At the state.
+  /// Normal loads at the state.
   virtual PerInterface<std::vector<double>> normal_load() const = 0;
   virtual GuideLoads guides() const = 0;  ///< Guides with a clearance.
   /// All loads at the state, which `push` has led to.
@@ -52,9 +53,9 @@ class RollersOnBodies {
   virtual ~RollersOnBodies() = default;
 
   virtual FullDistribution solve(const FullModel& model, Detail detail) = 0;
-  /// Positions of a travel; `turn`: of the carrier since the start.
+  /// Model of a travel. `at`: model at an angle of the travel; `turn`: turn of the carrier since its start.
   virtual TravelModel travel(std::function<FullModel(double theta)> at, std::function<double(double theta)> turn) = 0;
-  /// Without deviations, under the axial force alone.
+  /// Loads without deviations, under the axial force alone.
   virtual SymmetricLoads symmetric(const FullModel& model) = 0;
   /// Whether the nut can lift off its shoulder.
   virtual bool shoulder_lifts() const { return false; }
@@ -66,11 +67,11 @@ using MakeModel = std::function<FullModel()>;
 struct BodySolver {
   DistributionSolver (*at_rest)(const LoadedSector&, Solver);
   std::unique_ptr<RunningSector> (*running)(const LoadedSector&) = nullptr;
-  /// `model`: makes the one from whose direction, position and stations bodies are worked out; `solver`: of
+  /// `model`: makes the model for whose direction, position and stations the bodies are computed. `solver`: that of
   /// one-dimensional bodies, kept from model to model.
   std::unique_ptr<RollersOnBodies> (*all_rollers)(const LoadedMechanism&, const MakeModel& model,
                                                   FullSolver& solver) = nullptr;
-  /// Whether solves take no time to speak of, be it that what takes long is kept; null: always.
+  /// Whether a solve takes hardly any time, for example because its matrices are cached; null: always.
   bool (*is_at_hand)(const LoadedSector&) = nullptr;
 };
 

@@ -37,8 +37,7 @@ std::string curves_text(const SystemCurves& curves);
 
 /// A co-simulation unit of FMI 2.0: a ZIP archive. The same curves and text give the same bytes.
 /// Inputs `deflection` [m] and `speed` [rad/s], outputs `force` [N], `stiffness` [N/m] and `torque`
-/// [N m].
-/// With its drive it has states, and the inputs and outputs of docs/response.md.
+/// [N m]. A unit with its drive has states, and the inputs and outputs of docs/response.md.
 std::string functional_mockup_unit(const SystemModel& model);
 
 /// A Modelica package of the same curves: block `Curves` with the same inputs and outputs, and

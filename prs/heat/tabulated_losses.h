@@ -10,7 +10,7 @@ struct TemperatureBox {
 
   void include(const OfParts& coordinates);
   bool contains(const TemperatureBox& other) const;
-  /// By a tenth of each width and by `margin` [K] to each side.
+  /// The box with a tenth of each width and `margin` [K] added on each side.
   TemperatureBox widened(double margin) const;
 };
 
@@ -34,7 +34,7 @@ class LossTable {
   using At = std::function<std::optional<Losses>(const OfParts& temperature)>;
   struct Effort {
     double accuracy = 0.0;
-    int evaluations = 0;  ///< No panel is halved beyond that many.
+    int evaluations = 0;  ///< Number after which no further panel is halved.
   };
   /// `by_rollers`: whether the losses depend on the parts' temperatures other than by the oils'.
   /// The difference from `rough`, a table of nearly the same losses, takes fewer points. Absent where
@@ -50,7 +50,7 @@ class LossTable {
   Value at(const OfParts& temperature, bool with_slopes = true) const;
   Flows value_at(const OfParts& temperature) const { return at(temperature, false).value; }
 
-  /// Largest of all panels, as for `Effort::accuracy`.
+  /// Largest error of all panels, measured as `Effort::accuracy`.
   double error() const { return error_; }
 
  private:

@@ -84,7 +84,7 @@ std::optional<Warning> beyond_static_rating(double load, const StaticRating& rat
   if (rating.force == 0.0)
     return Warning{
         "", "beyond_static_rating",
-        fmt::format("{}the static limit ({}) is passed without any axial load", shares, describe(rating.limit)),
+        fmt::format("{}the static limit ({}) is exceeded without any axial load", shares, describe(rating.limit)),
         "lower the preload, or what acts across the axis"};
   return Warning{"", "beyond_static_rating",
                  fmt::format("{}the load is {:.3f} times the static limit ({}): {{value}} "

@@ -72,14 +72,14 @@ Mechanism checked_mechanism(Case& c) {
 }
 
 Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options,
-               const std::function<bool(const LoadCase&)>& leaves) {
+               const std::function<bool(const LoadCase&)>& left_out) {
   Result result = result_on(c, std::move(contacts), options.detail);
   const PerInterface<ContactLaw> laws = contact_laws(c, result.contacts);
   SolverPool pool(c, result.contacts, laws, options.solver);
   FullSolver own;
   FullSolver& full = options.full ? *options.full : own;
   for (const LoadCase& load_case : c.load_cases) {
-    if (leaves && leaves(load_case)) {
+    if (left_out && left_out(load_case)) {
       result.load_cases.emplace_back().load_case = load_case;
       continue;
     }

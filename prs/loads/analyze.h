@@ -17,9 +17,9 @@ Mechanism checked_mechanism(Case& c);
 /// The whole chain on known contacts: Hertz constants -> sector model -> Newton equilibrium of each load case -> loads
 /// and pressures per thread, stiffness. Reads and prints nothing. The case must have passed `check_case` and the
 /// requirements of `solve`. A load case that does not converge is a result with its status. Throws CaseError if the
-/// geometry gives no contact and the case does not override it. Load cases for which `leaves` is true are not solved.
+/// geometry gives no contact and the case does not override it. Load cases for which `left_out` is true are not solved.
 Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options = {},
-               const std::function<bool(const LoadCase&)>& leaves = {});
+               const std::function<bool(const LoadCase&)>& left_out = {});
 inline Result analyze(const Case& c, AnalysisOptions options = {}) {
   return analyze(c, checked_contacts(c, options.detail), options);
 }

@@ -272,14 +272,14 @@ std::string WarningGroup::where() const {
 std::vector<WarningGroup> grouped(const std::vector<Warning>& warnings) {
   std::vector<WarningGroup> groups;
   std::map<std::pair<std::string, std::string>, std::size_t> known;
-  std::set<std::pair<std::size_t, std::string>> told;
+  std::set<std::pair<std::size_t, std::string>> named;
   for (const Warning& warning : warnings) {
     const auto [at, is_new] = known.try_emplace({warning.code, without_load_case(warning.path)}, groups.size());
     if (is_new)
       groups.push_back({warning});
     else
       add(warning, groups[at->second]);
-    if (!warning.load_case.empty() && told.emplace(at->second, warning.load_case).second)
+    if (!warning.load_case.empty() && named.emplace(at->second, warning.load_case).second)
       groups[at->second].cases.push_back(warning.load_case);
   }
   return groups;

@@ -353,7 +353,6 @@ std::string contact_rows(const Contacts& contacts) {
 
 /// A thread's value under load, for load cases with equal shares, one row per interface: all threads of such a case
 /// have the same.
-
 struct LoadColumn {
   std::string_view title;
   std::string_view key;

@@ -23,6 +23,7 @@ std::vector<Place> with_loads(std::initializer_list<Place> places = {});
 /// `places` after those of contacts.
 std::vector<Place> with_contacts(std::initializer_list<Place> places);
 
+/// The analysis of the command `contact`.
 const Analysis<Result>& contact_analysis();
 
 bool all_converged(const Result& result);

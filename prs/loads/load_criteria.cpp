@@ -57,7 +57,7 @@ FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, 
     const SpatialLoad& spatial = r.load_case.spatial;
     const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
     if (!askew) take(r.axial_stiffness, "");
-    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, for something acts across the axis");
+    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, since something acts across the axis");
   }
   return found;
 }

@@ -10,7 +10,8 @@ namespace prs {
 /// Largest normal load of all positions of a turn or a travel over that of the position where the carrier stands.
 double rise_elsewhere(const LoadCaseResult& r);
 
-/// Pressures of load cases, on both flanks and in all positions; of loads at rest without those judged under preload.
+/// Pressures of load cases, on both flanks and in all positions. `at_rest`: of loads at rest, without the load cases
+/// that are judged under preload.
 FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_rest = nullptr);
 
 /// `slip of 1 of 3 load cases`, of those that `good` does not hold for; empty without any.

@@ -27,7 +27,6 @@ auto of_case(const Result& result, bool (*has)(const LoadCaseResult&),
 }
 
 /// Quantity compared over the threads, for pictures of analyses that add to the results of load cases.
-
 struct ThreadPlot {
   const char* name;
   const char* title;

@@ -13,7 +13,7 @@ namespace prs {
 
 std::optional<std::string> factorization(const LoadCaseResult& r) {
   if (!r.solve || r.solve->history.empty()) return std::nullopt;
-  // `influence`, which computes no energy.
+  // Only `influence` computes no energy.
   if (std::isnan(r.solve->history.back().energy)) {
     const std::string eigen = fe::eigen_factorization_name();
     return eigen.substr(0, eigen.find(',')) + ", dense LU";

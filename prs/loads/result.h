@@ -55,11 +55,11 @@ struct FlankThreads {
   std::vector<double> power;        ///< Friction power, with slip [W].
 };
 
-/// Under preload: the flank that the load does not name, of the same threads or of the other nut.
+/// The flank that the load does not name, under preload: of the same threads or of the other nut.
 struct OtherFlank {
   PerInterface<FlankThreads> threads;
-  /// At rest: R_near and R_far of the roller under both flanks, or of one roller of each nut, first that of the named
-  /// flank; > 0 outwards [N].
+  /// R_near and R_far at rest, > 0 outwards [N]: of the roller under both flanks, or of one roller of each nut, first
+  /// that of the named flank.
   std::vector<std::array<double, 2>> guide_force;
   double rollers = 1.0;
   bool of_second_roller = false;  ///< Whether it belongs to a double nut, whose nuts have rollers of their own.

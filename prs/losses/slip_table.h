@@ -13,15 +13,15 @@ std::string slip_table(const Result& result, bool all = false);
 /// without an answer, one line that says why.
 std::string slip_chart(const LoadCaseResult& result);
 
-/// `slip.csv`: one row a load case, failed ones included: slip ratio, efficiency, power lost to
+/// `slip.csv`: one row per load case, failed ones included: slip ratio, efficiency, power lost to
 /// each source, torques, the hottest thread and what equal shares would give. Fields as in
 /// `load_cases.csv`.
 std::string slip_csv(const Result& result, const CsvStyle& style = {});
 
-/// `slip_threads.csv`: one row a thread and interface of every load case with an answer.
+/// `slip_threads.csv`: one row per thread and interface of every load case with an answer.
 std::string slip_threads_csv(const Result& result, const CsvStyle& style = {});
 
-/// Steady temperatures of the load cases that have a heat balance, a row each.
+/// Steady temperatures of the load cases that have a heat balance, one row per case.
 std::string heat_csv(const Result& result, const CsvStyle& style);
 
 /// Temperatures over the cycle of a duty, a row for each time.

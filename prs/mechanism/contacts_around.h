@@ -24,7 +24,7 @@ struct ContactsAround {
   };
   struct Wave {
     std::size_t mode = 0;
-    Eigen::VectorXd shape;  ///< Over the rollers, of length one; zero where no contact has a part.
+    Eigen::VectorXd shape;  ///< Unit vector over the rollers; zero where no contact has a part.
     Eigen::VectorXd load;   ///< f: forces on the motions, displacements for the reactions.
   };
 

@@ -59,7 +59,7 @@ struct FullStructure {
   std::array<const SpatialNode*, 2> seats{};  ///< Seats of the rings on screw or nut; null: housing.
   Support housing;
   std::vector<Support> bearings;  ///< Supports by FullModel::bearings; several may hold one freedom.
-  int loaded = 0;                 ///< In `screw`.
+  int loaded = 0;                 ///< Index in `screw` of the loaded node.
   std::vector<fe::NodalLoad> loads;
   std::vector<std::vector<fe::NodalLoad>> per_force;  ///< Loads per force of each spring.
 

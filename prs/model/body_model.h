@@ -21,7 +21,7 @@ struct BodyModel {
   bool straight_rollers = true;  ///< `Roller::rigid_bending`
   bool both_flanks = true;       ///< Both sides of a preloaded nut in one model.
   bool derivatives = true;       ///< Derivatives by the tangent of a sector.
-  bool side_by_side = true;      ///< Many designs at once, each of which takes no time to speak of.
+  bool side_by_side = true;      ///< Many designs at once, each of which takes hardly any time.
   bool friction = true;          ///< Loads of a running sector.
 
   bool all_rollers = true;                  ///< `Mechanism::full`

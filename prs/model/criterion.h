@@ -49,8 +49,9 @@ struct CriterionRow {
   bool is_worse(double a, double b) const;
 };
 
-/// All criteria in the order in which they are shown. Recommended are a static safety of 1 to 3 by makers, half of the
-/// buckling load and 80 % of the critical speed by catalogues; grease and seals do not last above 120 degC.
+/// All criteria in the order in which they are shown. Recommended limits: makers ask for a static safety of 1 to 3,
+/// catalogues for half of the buckling load and 80 % of the critical speed; grease and seals do not last above 120
+/// degC.
 inline constexpr CriterionRow kCriteria[] = {
     {.name = "life", .title = "Life", .unit = "h", .needed = Command::life},
     {.name = "bearing_life", .title = "Life of the bearing", .unit = "h"},
@@ -185,10 +186,10 @@ struct FoundCriterion {
   FoundCriterion(const CriterionRow& of, std::string_view reason) : row(&of), why(reason) {}
 
   const CriterionRow* row;
-  std::optional<double> value = {}, best = {};  ///< In the unit of the row.
+  std::optional<double> value = {}, best = {};  ///< Worst and best value, in the unit of the row.
   std::string where = {}, note = {}, why = {};  ///< Load case of the worst; what limits it; why there is no value.
-  std::string_view title = {}, unit = {};       ///< Other than those of the row.
-  std::optional<double> limit = {};             ///< Stated elsewhere than in `limits`.
+  std::string_view title = {}, unit = {};       ///< Title and unit in place of those of the row.
+  std::optional<double> limit = {};             ///< Limit that is stated elsewhere than in `limits`.
   std::optional<double> physical = {};          ///< Physical limit, where the row has none.
   std::optional<Standing> standing = {};        ///< Standing that no comparison gives; the limit is then shown alone.
   bool applies = true;
@@ -209,9 +210,9 @@ std::optional<double> loaded_length(const Case& c);
 struct JudgedCase {
   const Case& c;
   Limits limits = {};
-  std::set<std::string> preloaded = {};  ///< Load cases judged under preload: what they have without says nothing.
+  std::set<std::string> preloaded = {};  ///< Load cases judged under preload; values without it are left out.
 
-  /// For values that lack a preload; a play is none.
+  /// Words for values that lack the preload; a play is no preload.
   std::string_view without_preload() const { return c.preload && !c.preload->backlash ? ", without the preload" : ""; }
 };
 

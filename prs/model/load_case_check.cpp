@@ -293,7 +293,7 @@ void require_load_case_of_life(const Case& c, Problems& problems) {
     if (load.spatial == *first) continue;
     problems.add("life.load_case",
                  "missing; expected the load case whose side loads, misalignment and orbit act together "
-                 "with the forces of `life`, as they differ; add `load_case: {}`, for example",
+                 "with the forces of `life`, since load cases differ in them; add `load_case: {}`, for example",
                  load.name);
     return;
   }

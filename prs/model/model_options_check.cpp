@@ -340,7 +340,7 @@ void check_turning(const Case& c, Problems& problems) {
     for (std::size_t k = 1; k < lead.at.size(); ++k)
       if (!(lead.at[k] > lead.at[k - 1]))
         problems.add(path + "lead.measured.at",
-                     "got {} behind {}; expected places that rise; sort them with their "
+                     "got {} after {}; expected places that rise; sort them with their "
                      "deviations",
                      mm(lead.at[k]), mm(lead.at[k - 1]));
     for (const double value : lead.deviation)

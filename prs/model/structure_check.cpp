@@ -25,8 +25,8 @@ void check_reach(const Mechanism& m, Problems& problems) {
                  mm(*m.centre_distance), mm(0.5 * (*screw + *roller)), mm(reach));
   if (std::abs(nut_gap) > reach)
     problems.add("mechanism.pitch_diameter.nut",
-                 "got {}; expected {}, twice the centre distance and the roller's pitch radius, give or "
-                 "take {}, or their threads cannot mesh; check centre distance and pitch diameters",
+                 "got {}; expected {}, twice the sum of the centre distance and the roller's pitch radius, give or "
+                 "take {}, or the threads cannot mesh; check centre distance and pitch diameters",
                  mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach));
 }
 

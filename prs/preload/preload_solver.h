@@ -105,7 +105,7 @@ struct PreloadPoint {
 };
 
 /// Equilibria of a mechanism whose sides push against each other, its first nut held at one section. A side that has
-/// opened carries nothing: beyond its opening the load is carried as without preload.
+/// opened carries nothing; the other side then carries the load as without preload.
 class PreloadSolver {
  public:
   explicit PreloadSolver(PreloadSector sector);

@@ -36,7 +36,7 @@ struct Picture {
   std::string_view name;
   std::string_view needs;  ///< Data that the result must have, in words.
   std::function<Figures(const FigureOptions&)> make;
-  /// When a command writes the picture.
+  /// Occasion on which a command writes the picture.
   enum class Drawn { always, with_all, by_name } drawn = Drawn::always;
 };
 using Pictures = std::vector<Picture>;

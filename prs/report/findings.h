@@ -49,7 +49,7 @@ struct Findings {
   std::map<Command, std::string> unmoved = {};
   std::vector<Command> lacking = {};       ///< Commands whose module is missing.
   std::string section = {};                ///< Section being written.
-  std::map<std::string, int> places = {};  ///< Number of pictures of each name in it so far.
+  std::map<std::string, int> places = {};  ///< Number of pictures of each name in the section so far.
   bool keeps_figures = false;              ///< Whether figures are kept, to be drawn behind others.
   std::map<FigurePlace, Figure> figures = {};
 

@@ -13,8 +13,8 @@ struct DocumentRecord {
 
 std::vector<DocumentRecord> records_at(std::span<const Place> places);
 
-/// Table of results as a document: `documents`, the places of records, `records`, their quantities, and `analyses`, the
-/// commands with their classes in Python and their places.
+/// Table of results as a document with `documents` (places of records), `records` (their quantities) and `analyses`
+/// (commands with their classes in Python and their places).
 Json results_schema();
 
 /// Record at a path of documents, `life` or `load_cases[]`; null if there is none.

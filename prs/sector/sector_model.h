@@ -112,9 +112,8 @@ struct RollerPush {
 };
 
 /// Volume and polar moment of volume of a body about its axis. The parts are bodies of revolution bounded by the pitch
-/// diameters, where a thread is as wide as its groove: crests add what roots lack, but for the difference of their
+/// diameters, where a thread is as wide as its groove: crests add what roots lack, except for the difference of their
 /// radii.
-
 struct RoundBody {
   double volume = 0.0;        ///< [m^3]
   double polar_moment = 0.0;  ///< Integral of r^2 dV [m^5]; times the density, the inertia.

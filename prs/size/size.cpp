@@ -262,7 +262,7 @@ class CatalogueReader {
   void check_heading(std::vector<Warning>& warnings) const {
     for (const std::string_view needed : kNeededColumns)
       if (std::ranges::find(heading_, needed) == heading_.end())
-        fail(fmt::format("lacks the column {}; expected {} at least", needed, fmt::join(kNeededColumns, ", ")));
+        fail(fmt::format("lacks the column {}; expected at least {}", needed, fmt::join(kNeededColumns, ", ")));
     for (const std::string& column : heading_) {
       if (std::ranges::count(heading_, column) > 1)
         fail(fmt::format("has two columns {}; expected one of that name", input::shown(column)));

@@ -355,8 +355,8 @@ Warning why_not_running(const RunningLoads& r) {
       return no_slip(r.status == RunningStatus::jammed, "running loads");
     case RunningStatus::iteration_limit:
       return Warning{"friction", "running_iteration_limit",
-                     "running loads do not settle: the largest load still changes by the share "
-                     "{value} a round"}
+                     "running loads do not converge: a load still changes by {value} of the largest "
+                     "in a round"}
           .with(r.change);
     default:
       return {"friction", "running_no_equilibrium",

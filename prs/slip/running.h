@@ -20,15 +20,14 @@ namespace prs {
 /// stays in the balance of slip. Friction turns the force, the approach w is still measured along
 /// the true normal: K + B't B stays symmetric with T as a given load.
 ///
-/// A round of slip gives tau_i = T_i/N_i; with these proportions the loads are followed to the end,
-///
-///     T -> q, N -> tau N,
-///
-/// which contracts by about max |tau| max(tan psi, cot psi) a step and by Anderson's acceleration
-/// in few of them. Then slip, which the loads hardly change, is evaluated anew.
+/// A round of slip gives tau_i = T_i/N_i. The loads are solved with T = tau N: by steps with the
+/// symmetric tangent, each of which leaves about max |tau| max(tan psi, cot psi) of the error, or by
+/// Newton's method with the unsymmetric one (`fe::NewtonSolver::follow`); bodies that cannot follow
+/// such loads take given T from step to step, by Anderson's acceleration. Then slip, which the loads
+/// hardly change, is evaluated anew.
 class RunningSolver {
  public:
-  /// The case must have passed the requirements of `slip` and `solve`, all else is its own.
+  /// The case must have passed the requirements of `slip` and `solve`; contacts and models must be its own.
   RunningSolver(const Conditions& c, const Contacts& contacts, const SlipModels& models)
       : conditions_(c), contacts_(contacts), laws_(contact_laws(c, contacts)), models_(models) {}
 

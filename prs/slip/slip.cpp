@@ -163,7 +163,7 @@ EqualShareSlip summary_of(const SlipResult& equal) {
   return s;
 }
 
-/// (3.55) with B_1 = 98.1 % and B_2 = 0.32 %, for the lubricants of Sandu's study.
+/// (3.55) with B_1 = 98.1 % and B_2 = 0.32 %; absent outside the range of the lubricants of Sandu's study.
 std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) {
   const double millipascal_seconds = lubricant.viscosity * 1e3;
   const double megapascals = lubricant.eyring_stress * 1e-6;

@@ -9,9 +9,9 @@ namespace prs {
 std::optional<double> back_driving_efficiency(const Conditions& c, const Contacts& contacts,
                                               const LoadCaseResult& loaded);
 
-/// Speed, power and efficiency from a thousandth to ten times the speed of a load case, loads at rest and
-/// the oil as they are, loads of a running screw found anew; speeds without an equilibrium are left
-/// out.
+/// Speed, power and efficiency of a load case from a thousandth to ten times its speed. Loads at rest and the
+/// oil stay as they are, loads of a running screw are found anew at each speed. Speeds without an
+/// equilibrium are left out.
 struct StribeckCurve {
   std::vector<double> speed;                      ///< Magnitude [rad/s], ascending.
   std::vector<double> power;                      ///< Lost in the whole mechanism [W]

@@ -28,8 +28,8 @@ contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i
   return patch_motion(frames[i], contact_motion(geometry, kinematics(geometry, model.speed, slip_ratio, spin), i));
 }
 
-/// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
-/// one has no normal load.
+/// Forces of the patches of an interface; calls take(k, friction, forces) for each. Clears `possible`
+/// if one has no normal load.
 template <class Number, class Take>
 InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
                                          const contact::PatchMotionOf<Number>& sliding,
@@ -95,7 +95,7 @@ contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model, const 
   return mean;
 }
 
-/// Balance at one slip ratio; `take(i, k, friction, forces)` of each patch.
+/// Balance at one slip ratio; calls take(i, k, friction, forces) for each patch.
 template <class Number, class Take>
 RollerBalanceOf<Number> balance_of(const SlipModel& model, const Number& slip_ratio, const Number& spin, bool& possible,
                                    Take take) {

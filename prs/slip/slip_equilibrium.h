@@ -25,7 +25,7 @@ struct LoadedThreads {
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };
 
-/// The lubricant in operation, with the temperature at each place; absent if there is none.
+/// The lubricant in operation, at the temperature of each place; absent where there is none.
 struct Oils {
   PerInterface<std::optional<contact::Lubricant>> threads;
   std::optional<contact::Lubricant> carrier;  ///< Oil in the bearings of the roller heads.

@@ -113,7 +113,7 @@ PatchForces<Number> forces_of(const ContactFrameOf<Real>& frame, const contact::
   return {normal_load, {{-(all * m.x), -(all * m.y), -(all * m.z)}, all * friction.spin_arm * frame.normal.z}};
 }
 
-/// The axial load gives the dynamic normal one (3.11), (3.12).
+/// Forces of a patch under its axial load, which gives the dynamic normal load (3.11), (3.12).
 template <class Number, class Real>
 PatchForces<Number> patch_forces(const ContactFrameOf<Real>& frame, const contact::PatchFrictionOf<Number>& friction,
                                  const Real& axial_load, const Real& alike) {

@@ -195,7 +195,7 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
         LoadedThreads::Contact& added = threads.contacts.emplace_back(
             contact_of(model, contact, i, axial[k], loaded.running ? std::optional(normal[k]) : std::nullopt));
         added.other_flank = other;
-        // Sector and geometry agree on the normal, but where the file states another one.
+        // Sector and geometry agree on the normal unless the file states its angle.
         if (loaded.running && !conditions_.contact.normal_angle[i]) added.normal_load = normal[k];
         if (loaded.other_flank && i == Interface::screw)
           model.carried = model.carried.value_or(0.0) + model.rollers * axial[k];

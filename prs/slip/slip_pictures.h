@@ -21,9 +21,9 @@ struct PatchField {
 
 /// Data for the pictures of one load case, in addition to its result.
 struct SlipPictures {
-  ResidueCurve residue;                         ///< Over the whole range of slip ratios.
-  ResidueCurve residue_near_root;               ///< Around the ideal one, the root inside.
-  PerInterface<PatchField> most_loaded_thread;  ///< At the result's slip ratio.
+  ResidueCurve residue;                         ///< Moments over the whole range of slip ratios.
+  ResidueCurve residue_near_root;               ///< Moments around the ideal slip ratio, the root inside.
+  PerInterface<PatchField> most_loaded_thread;  ///< Patches at the result's slip ratio.
 };
 
 /// Patches of one thread at both interfaces, at the slip of a load case that converged; absent where the
@@ -31,7 +31,7 @@ struct SlipPictures {
 std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result, std::size_t load_case,
                                                        std::size_t thread);
 
-/// For one load case with a converged slip, on the loads that the result holds.
+/// Pictures for a load case with a converged slip, on the loads that the result holds.
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case);
 
 }  // namespace prs

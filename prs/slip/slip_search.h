@@ -46,10 +46,11 @@ class SlipSearch {
   SlipStatus status_{};
   SlipStatus last_{};  ///< Status after the last evaluation.
   std::optional<double> imposed_;
-  double sense_ = 1.0, ideal_ = 0.0, way_ = 1.0;
-  double t_ = 0.0;  ///< 0 at the ideal slip ratio, 1 at pure sliding.
-  double end_ = 1.0;
-  double at_ideal_ = 0.0;  ///< Residue at the ideal slip ratio.
+  double sense_ = 1.0;              ///< Sign of the speed.
+  double ideal_ = 0.0, way_ = 1.0;  ///< Ideal slip ratio, and from there to pure sliding.
+  double t_ = 0.0;                  ///< 0 at the ideal slip ratio, 1 at pure sliding.
+  double end_ = 1.0;                ///< Bound of t: 1, or where a driven carrier turns with the driving part, < 0.
+  double at_ideal_ = 0.0;           ///< Residue at the ideal slip ratio.
   double residue_ = 0.0, slope_ = 0.0;
   double last_step_ = 0.0;
   double near_ = 0.0, far_ = 0.0;  ///< Bounds of the root; NaN: far one not known.

@@ -29,8 +29,8 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction, std::
       if (ratio > 0.0) least = std::min(least, ratio);
     if (least < kFullFilm)
       warnings.push_back(Warning{"roughness", fmt::format("{}_lubrication", name(i)),
-                                 fmt::format("{} lubrication at the {} contacts: film over roughness is {{value}} "
-                                             "at the least",
+                                 fmt::format("{} lubrication at the {} contacts: the least film over roughness is "
+                                             "{{value}}",
                                              lubrication(least), label(i)),
                                  film ? "real friction is higher than that of the full film computed here: take "
                                         "`friction: {model: {mixed: {boundary: 0.11}}}`"
@@ -44,13 +44,14 @@ void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
     const std::vector<double>& flashes = slip.threads[i].flash_temperature;
     const double hottest = flashes.empty() ? 0.0 : std::ranges::max(flashes);
     if (hottest > kHotFlash)
-      warnings.push_back(Warning{"friction", fmt::format("{}_flash_temperature", name(i)),
-                                 fmt::format("the {} contacts flash {{value}} above their parts, more than "
-                                             "{{limit}}: films there are thinner than computed, and scuffing is "
-                                             "near",
-                                             label(i)),
-                                 "less speed or load, or an oil with less friction"}
-                             .with(hottest, kHotFlash, "K"_unit));
+      warnings.push_back(
+          Warning{"friction", fmt::format("{}_flash_temperature", name(i)),
+                  fmt::format("flash temperatures at the {} contacts are {{value}} above the parts, more than "
+                              "{{limit}}: films there are thinner than computed, and scuffing is "
+                              "near",
+                              label(i)),
+                  "less speed or load, or an oil with less friction"}
+              .with(hottest, kHotFlash, "K"_unit));
   }
 }
 
@@ -95,8 +96,8 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
       warnings.push_back(
           Warning{"lubricant.film", fmt::format("{}_film_range", name(i)),
                   fmt::format("the {} contacts roll {:.0f} deg off the major axis of their "
-                              "ellipse, with {{value}} times the radius across it as along it; "
-                              "the film's formula is made for {:g} to {:g}",
+                              "ellipse; their radius across the rolling is {{value}} times that "
+                              "along it, and the film's formula is made for {:g} to {:g}",
                               label(i), off_major, contact::kLeastRollingRatio, contact::kGreatestRollingRatio),
                   "take it as an estimate"}
               .with(ratio, low ? contact::kLeastRollingRatio : contact::kGreatestRollingRatio, {},
@@ -144,11 +145,12 @@ void warn_of_measured_parts(const Contacts& contacts, const SlipResult& slip, st
                                "the model ends where they meet their stops: correct the pitches"}
                            .with(std::abs(slip.migration_per_turn), {}, "µm"_unit));
   if (has_gear_ratio(contacts)) return;
-  warnings.push_back(Warning{"mechanism.pitch_diameter", "pitch_sliding",
-                             fmt::format("off the ratio of the gears, the pitch cylinders of rollers and {} slide by "
-                                         "{{value}} per turn of the screw",
-                                         name(geared))}
-                         .with(slip.pitch_sliding_per_turn, {}, "µm"_unit));
+  warnings.push_back(
+      Warning{"mechanism.pitch_diameter", "pitch_sliding",
+              fmt::format("the pitch cylinders of rollers and {} are not in the ratio of the gears: they "
+                          "slide by {{value}} per turn of the screw",
+                          name(geared))}
+          .with(slip.pitch_sliding_per_turn, {}, "µm"_unit));
 }
 
 /// Warns of how slip ended, and of what its numbers say by themselves.

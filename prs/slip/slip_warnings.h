@@ -12,7 +12,7 @@ inline constexpr double kFullFilm = 3.0, kTouchingFlanks = 1.0;
 /// `boundary`, `mixed` or `full film`.
 std::string_view lubrication(double film_ratio);
 
-/// A warning that there is no slip, `where` it was looked for: a contact jams, or nothing balances.
+/// A warning that there is no slip: a contact jams, or no slip ratio balances. `where`: the result that lacks it.
 Warning no_slip(bool jammed, const std::string& where);
 
 /// A warning where the film of a lubricant cannot be compared with the roughness of the flanks.
@@ -24,11 +24,11 @@ struct OverStatic {
   double largest = 1.0, all = 1.0;
 };
 
-/// A warning where friction moves the largest load of screw or nut by much: by what, and on which guidance
-/// that stands.
+/// A warning where friction changes the largest load of screw or nut by more than a fifth: by how much, and
+/// for which guidance.
 std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static);
 
-/// Adds what is worth a warning in the slip of a load case; `model`: of the screw that turns.
+/// Adds the warnings about the slip of a load case. `model`: that of the screw that turns; null if it is held.
 void add_slip_warnings(const Conditions& c, const Contacts& contacts, const SlipModel* model, LoadCaseResult& loaded);
 
 }  // namespace prs

@@ -36,7 +36,7 @@ struct CaseDerivatives {
 /// does not converge, as across the face of a flange, is absent with a reason. All rollers, running loads and slip are
 /// solved at each step of these differences; factors that are 0 have steps of a usual size.
 ///
-/// For `contact`, and for `solve` and `slip` with bars or the refined model. Throws InputError and UnknownResponse as
+/// Commands: `contact`, and `solve` and `slip` with bars or the refined model. Throws InputError and UnknownResponse as
 /// DesignEngine does, and CaseError if the command or the model has no derivatives.
 CaseDerivatives case_derivatives(const input::StudyInput& input);
 

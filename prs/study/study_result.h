@@ -107,7 +107,7 @@ struct ResponseStatistics {
   double max = 0.0;
   std::size_t min_design = 0;  ///< First design with this value.
   std::size_t max_design = 0;
-  /// At `kProbabilities`, linear between the ordered values (Hyndman & Fan 1996, type 7).
+  /// Values at `kProbabilities`, linear between the ordered values (Hyndman & Fan 1996, type 7).
   std::array<double, kProbabilities.size()> quantiles{};
   Histogram histogram;
   std::size_t values_kept = 0;  ///< Number of values in quantiles and histogram.

@@ -20,7 +20,7 @@ class Document : public std::enable_shared_from_this<Document> {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `pictures` keep their data.
+  /// `pictures`: must own the data that they draw.
   explicit Document(std::function<Json()> make, Pictures pictures = {}, std::optional<bool> converged = std::nullopt)
       : make_(std::move(make)), pictures_(std::move(pictures)), converged_(converged) {}
 

@@ -14,7 +14,7 @@ struct BarStation {
   enum : int { S, N, U, V, T };
   static constexpr bool couples(int i, int j) { return i == j || (i >= V && j >= V); }
 
-  /// w of screw and nut: s cos(psi) is coefficient 0, sin(psi) coefficient 1.
+  /// Approach at screw and nut: coefficient 0 is s cos(psi), coefficient 1 sin(psi).
   template <int C>
   static constexpr std::array<fe::ChainTerm, 4> form() {
     if (C == 0) return {{{S, 0, false}, {U, 0, true}, {V, 1, true}, {T, 0, true}}};
@@ -121,6 +121,7 @@ class NutOfBars {
 
  private:
   static constexpr std::size_t kKept = 4;  ///< Number of flanges that are read only once.
+  /// Ends of a flange, and its 1/(E A) less that of the plain nut.
   struct Flange {
     Real from, to, less;
   };

@@ -15,7 +15,7 @@ using fe::abs, fe::any, fe::max, fe::min, fe::select;  // for single numbers, be
 template <class Real>
 inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 
-/// values[0], values[1], ..
+/// Batch of values[0], values[1], ..
 template <class Real>
 PRS_INLINED inline Real from_lanes(const double* values) {
   Real x;
@@ -68,7 +68,7 @@ template <class Real>
 struct RollerBeam {
   Real axial, near, far, slope;
 
-  /// Stiffness over freedoms U, V = U + 1, T = U + 2 of the first node; `add` as of fe::Chain.
+  /// Stiffness over freedoms U, V = U + 1, T = U + 2 of the first node; `add` as in fe/chain_station.h.
   template <int U, class Add>
   PRS_INLINED void add_first(Add add) const {
     const Real shear = slope * (near + far);
@@ -87,7 +87,7 @@ struct RollerBeam {
     add(fe::Index<U + 2>{}, fe::Index<U + 2>{}, near);
   }
 
-  /// Coupling of the first node's U with the second node's W.
+  /// Coupling of the first node's freedoms from U on with the second node's from W on.
   template <int U, int W, class Add>
   PRS_INLINED void add_coupling(Add add) const {
     const Real shear = slope * (near + far);
@@ -133,7 +133,7 @@ template <class Real>
 struct RollerEnd {
   Real vv, vt, tt;  ///< [N/m]
 
-  /// Adds it to freedoms V and V + 1 of a station; `add` as in fe::Chain.
+  /// Adds it to freedoms V and V + 1 of a station; `add` as in fe/chain_station.h.
   template <int V, class Add>
   PRS_INLINED void add(Add add) const {
     add(fe::Index<V>{}, fe::Index<V>{}, vv);
@@ -224,7 +224,7 @@ struct NutSegment {
   Real deformation[21] = {};
 };
 
-/// Other supports of a contact's node.
+/// Supports of a contact's node besides the segments to its neighbours: ends of the nut and held freedoms.
 template <class Real>
 struct NutSupport {
   Real stiffness[6] = {};  ///< Upper triangle row by row; infinite: held [N/m].
@@ -233,10 +233,10 @@ struct NutSupport {
 /// A sector as a chain of stations, everything between the contacts condensed. SI units.
 struct ChainSector {
   enum class Kind {
-    bars,             ///< Screw u; nut u; roller u, v, theta.
-    shell,            ///< Nut u, v, theta.
-    apart_nut_first,  ///< Shell with a roller node for each contact, along x that of the nut first.
-    apart_screw_first,
+    bars,               ///< Screw u; nut u; roller u, v, theta.
+    shell,              ///< Nut u, v, theta.
+    apart_nut_first,    ///< Shell with a roller node for each contact; along x that of the nut comes first.
+    apart_screw_first,  ///< The other order.
   };
 
   Kind kind = Kind::bars;

@@ -10,10 +10,10 @@
 namespace prs {
 namespace {
 
-/// Number of designs whose columns are filled before a call of the kernel.
-constexpr std::size_t kChunk = 256;
+/// Largest number of designs of one call of a kernel.
+constexpr std::size_t kMostAtOnce = 256;
 
-bool is_without(const std::vector<double>& gaps) {
+bool are_zero(const std::vector<double>& gaps) {
   return std::ranges::all_of(gaps, [](double gap) { return gap == 0.0; });
 }
 
@@ -43,14 +43,11 @@ void set_columns(BarDesigns& d, std::span<const SectorModel> sectors, std::span<
   for (const Interface i : kInterfaces) {
     if (!with_compliance) d.compliance[i].clear();
     d.gaps[i].clear();
-    if (std::ranges::all_of(order, [&](std::size_t k) { return is_without(sectors[k].gaps[i]); })) continue;
+    if (std::ranges::all_of(order, [&](std::size_t k) { return are_zero(sectors[k].gaps[i]); })) continue;
     for (const std::size_t k : order)
       d.gaps[i].insert(d.gaps[i].end(), sectors[k].gaps[i].begin(), sectors[k].gaps[i].end());
   }
 }
-
-/// Designs of one call of the kernel.
-constexpr std::size_t kMostAtOnce = 256;
 
 /// Properties that sectors side by side must share, as a sortable tuple.
 auto kind(const SectorModel& sector) {
@@ -73,7 +70,7 @@ void BarDesignSolver::solve(std::span<const SectorModel> sectors, std::span<cons
     if (!sectors[k].is_refined) order_.push_back(k);
   if (!std::ranges::is_sorted(order_, {}, place)) std::ranges::sort(order_, {}, place);
   for (std::size_t first = 0, end = 0; first < order_.size(); first = end) {
-    while (end < order_.size() && end - first < kChunk && kind(order_[end]) == kind(order_[first])) ++end;
+    while (end < order_.size() && end - first < kMostAtOnce && kind(order_[end]) == kind(order_[first])) ++end;
     designs_.contacts = sectors[order_[first]].contacts();
     set_columns(designs_, sectors, axial_forces, std::span(order_).subspan(first, end - first));
     const auto threads = static_cast<std::size_t>(designs_.contacts);

@@ -12,7 +12,7 @@ using simd::InstructionSet, simd::available, simd::batch_size, simd::name;
 /// Solves designs of `kBars` side by side: as many sectors as a batch has numbers in lock
 /// step, each with its own convergence. Set-up of the sectors is part of it. A design's result does
 /// not depend, bit for bit, on the other designs. Workspace is kept from call to call; one
-/// solver a thread.
+/// solver per thread.
 class BarDesignSolver {
  public:
   explicit BarDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
@@ -38,8 +38,8 @@ class BarDesignSolver {
 
 /// Solves designs of `kRefined` side by side, from the numbers of their bodies to the loads
 /// of their threads, as BarDesignSolver does those of bars. Sectors come from `set_sector_model`;
-/// nothing of them needs to be worked out. A design's result does not depend, bit for bit, on the
-/// other designs. Workspace is kept from call to call; one solver a thread.
+/// `work_out` need not be called. A design's result does not depend, bit for bit, on the other
+/// designs. Workspace is kept from call to call; one solver per thread.
 class RefinedDesignSolver {
  public:
   explicit RefinedDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}

@@ -37,7 +37,8 @@ inline void set_segments_of(const NutShape& shape, std::vector<int>& segment_of)
   }
 }
 
-/// Condensation leaves differences of stiff neighbours: it uses wide numbers.
+/// Condensation of a nut to its contacts. It leaves small differences of large stiffnesses and therefore uses wide
+/// numbers.
 template <class Real>
 class NutCondensation {
  public:

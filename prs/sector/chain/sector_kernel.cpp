@@ -9,8 +9,8 @@
 namespace prs {
 namespace {
 
-/// The two halves of a sector, with whatever multiply-add this file is compiled for: a type of its own for each
-/// instruction set, as of all that is instantiated here.
+/// Batch of two numbers, for the two halves of a sector. Its type differs between the instruction sets that this file
+/// is compiled for, whose multiply-add it uses: templates instantiated here must stay apart.
 #if defined(__AVX512F__)
 using Half = xsimd::batch<double, xsimd::sse4_2>;
 #elif defined(__FMA__)
@@ -24,7 +24,7 @@ PRS_INLINED inline Half both(double first, double second) {
   return from_lanes<Half>(lanes);
 }
 
-// Types of this file's own, so that instances for one instruction set stay apart from those for another.
+// Types in the anonymous namespace, so that instances for one instruction set stay apart from those for another.
 template <class Real>
 struct Bars : BarStation<Real> {};
 struct FoldedBars : BarStation<Half> {

@@ -19,7 +19,8 @@ struct ShellStation {
     return i >= kLast && j < U + 3 && (i == kLast) == (j == U);
   }
 
-  /// w of screw and nut: s cos(psi) is coefficient 0, sin(psi) 1, the factor of the nut's rotation 2.
+  /// Approach at screw and nut: coefficient 0 is s cos(psi), coefficient 1 sin(psi), coefficient 2 that of the nut's
+  /// rotation.
   template <int C>
   static constexpr auto form() {
     constexpr int kSecond = kApart ? kLast : U;

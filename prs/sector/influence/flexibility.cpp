@@ -338,7 +338,7 @@ HeldNut held_nut(const BodyGeometry& b, Direction direction, double position, co
   GroovedShape shape;
   shape.groove = g;
   shape.ridge = position - g.position(side, 0.0);
-  // The nut is extended by the thread that contacts at its very ends need.
+  // Contacts at the very ends of the nut get 0.3 p of thread beyond them.
   shape.start = std::min(0.0, position - 0.3 * g.pitch);
   shape.end = std::max(nut.length, position + (b.contacts - 1 + 0.3) * g.pitch);
   shape.far_radius = 0.5 * nut.outer_diameter;
@@ -491,7 +491,7 @@ constexpr int kWholeNut = 6;
 
 /// All inputs of the harmonics from 2 on.
 struct UnlikeLoads {
-  HeldNut body;  ///< Body, or a screw, which is held at its start.
+  HeldNut body;  ///< The nut, or the screw, which is held at its start.
   Teeth teeth;
   int whole = 1;  ///< Highest harmonic on the whole body.
 };
@@ -533,7 +533,7 @@ Eigen::MatrixXd along_threads(const BlockResponse& r, int threads) {
   return 0.5 * (g + g.transpose());
 }
 
-/// Contribution to a mode beyond the harmonic `last`, two combs of period N.
+/// Contribution of the harmonics beyond `last` to mode m: n = m + q N and n = N - m + q N.
 double left_out(const HertzPatch& patch, const Material& material, double radius, int mode, int rollers, int last) {
   double sum = 0.0;
   for (const int first : {mode, rollers - mode}) {

@@ -175,32 +175,34 @@ FlexibilityAround nut_around(const BodyGeometry& body, Direction direction, doub
                              const std::vector<double>& sections, const FlexibilityOptions& options,
                              MatrixCache& cache = shared_matrix_cache());
 
-/// Unpacks all members of a type that a computation depends on: it does not compile unless all are named.
+/// Defines members(value), a tuple of all members of a type that a computation depends on. It does not compile unless
+/// every member is named.
 #define PRS_MEMBERS(Type, ...)             \
   inline auto members(const Type& value) { \
     const auto& [__VA_ARGS__] = value;     \
     return std::tie(__VA_ARGS__);          \
   }
-PRS_MEMBERS(Groove, internal, pitch, radius, addendum, dedendum, backward, forward)
-PRS_MEMBERS(HertzPatch, profile, circumference)
-PRS_MEMBERS(LoadedFlank, ridge, side, patch, cells, tangential)
+PRS_MEMBERS(Groove, internal, pitch, pitch_radius, addendum, dedendum, backward_angle, forward_angle)
+PRS_MEMBERS(HertzPatch, along_profile, along_circumference)
+PRS_MEMBERS(LoadedFlank, ridge, side, patch, patch_cells, tangential)
 PRS_MEMBERS(PlainEnd, length, radius)
 PRS_MEMBERS(Collar, from, to, radius)
 inline auto members(const std::pair<double, double>& p) { return std::tie(p.first, p.second); }
-PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far, plain_end, collars, sections, radii)
-PRS_MEMBERS(MeshDensity, patch, growth, largest, step, plain_flank, split, depth)
-PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, tolerance, neighbour_cells, unilateral)
+PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far_radius, plain_end, collars, sections, radii)
+PRS_MEMBERS(MeshDensity, patch_cells, growth, largest_cell, step_cell, plain_flank_cells, split, ridge_depth)
+PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, block_tolerance, neighbour_patch_cells, unilateral_thrust)
 /// Members without those that only flash temperatures use.
 inline auto members(const Material& value) {
-  const auto& [modulus, poisson_ratio, density, expansion, conductivity, specific_heat, pressure_limit] = value;
-  return std::tie(modulus, poisson_ratio, density, expansion);
+  const auto& [youngs_modulus, poisson_ratio, density, thermal_expansion, conductivity, specific_heat,
+               static_pressure_limit] = value;
+  return std::tie(youngs_modulus, poisson_ratio, density, thermal_expansion);
 }
 /// Members without the clearance, on which no matrix depends.
 inline auto members(const Guidance& value) {
-  const auto& [kind, stiffness, clearance] = value;
-  return std::tie(kind, stiffness);
+  const auto& [kind, ring_stiffness, clearance] = value;
+  return std::tie(kind, ring_stiffness);
 }
-PRS_MEMBERS(Teeth, groove, far, material, types, opposite, first, step, contacts, options)
+PRS_MEMBERS(Teeth, groove, far_radius, material, types, opposite, first, step, contacts, options)
 
 template <class T>
 void append_bytes(std::string& bytes, const std::vector<T>& values);

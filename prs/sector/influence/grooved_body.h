@@ -17,8 +17,8 @@ struct HertzPatch {
 /// theta = 0 on a circle of radius r, at the distance s from its centre along the profile
 /// [Pa/N = 1/m^2]:
 ///
-///     p = p_0 sqrt(1 - (s/a_s)^2 - (r theta/a_t)^2) = sum p_n cos(n theta),   p_0 = 3/(2 pi a_s
-///     a_t), p_n = e_n p_0 A^2/(a_t r) J_1(x)/x,   A = a_t sqrt(1 - (s/a_s)^2),   x = n A/r,
+///     p = p_0 sqrt(1 - (s/a_s)^2 - (r theta/a_t)^2) = sum p_n cos(n theta),   p_0 = 3/(2 pi a_s a_t),
+///     p_n = e_n p_0 A^2/(a_t r) J_1(x)/x,   A = a_t sqrt(1 - (s/a_s)^2),   x = n A/r,
 ///
 /// e_0 = 1/2 and e_n = 1 (Fourier transform of a half-ellipse, Bracewell, table of pairs). The
 /// circumference is unrolled at the local radius, so that the series carries exactly 1 N.
@@ -119,7 +119,7 @@ struct GroovedBody {
 
 /// Meshes the body by 8-node quadrilaterals: columns of nodes at constant z, layers that follow the profile and fade
 /// into cylinders below the roots. The ends of each patch are ends of cells. Suitable for flank normals between about
-/// 20 and 65 deg to the axis, where the columns cut the flanks at a good angle. Throws std::invalid_argument if a patch
+/// 20 and 70 deg to the axis, where the columns cut the flanks at a good angle. Throws std::invalid_argument if a patch
 /// lies beyond the threads.
 GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
                               const MeshDensity& density);

@@ -128,13 +128,13 @@ class InfluenceSolver {
   ThrustFace::Touching touching_;  ///< State under equal loads, to which `joined_` belongs.
 };
 
-/// Goes on from a solution with part `touching` of the nut's shoulder to one whose loads push on the part that it has.
-/// `loads()`: those of the nut at the solution; `solve(change)`: the next solution, with this change of the nut's
-/// flexibility.
+/// Continues from a solution in which the nodes `touching` of the nut's shoulder push, until the pushing nodes are
+/// those that touch under its loads. `loads()`: loads of the nut at the solution. `solve(change)`: finds the next
+/// solution, with this change of the nut's flexibility.
 template <class Loads, class Solve>
 void settle_on_shoulder(const ThrustFace& face, ThrustFace::Touching touching, fe::NewtonSummary& solution, Loads loads,
                         Solve solve) {
-  constexpr int kMostRounds = 10;  // Each changes the next only little.
+  constexpr int kMostRounds = 10;  // Each round changes the loads, and with them the nodes, only little.
   for (int round = 0; round < kMostRounds && solution.converged(); ++round) {
     const auto now = face.touching_under(loads(), touching);
     if (now == touching) return;

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 /// Largest number of entries in memory; the oldest is dropped. A screw has about ten.
 constexpr std::size_t kMostKept = 512;
-constexpr std::size_t kDigestLength = 64;
+constexpr std::size_t kDigestLength = 64;  // Hexadecimal digits of SHA-256.
+/// Largest number of rows or columns that is read from a file.
 constexpr std::uint64_t kLargestSide = 100'000;
 
 /// Text with key, matrices and, at the end, the digest of both.
@@ -56,7 +57,6 @@ std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::
   return rest.good() ? std::optional(std::move(matrices)) : std::nullopt;
 }
 
-constexpr std::size_t kDigits = 64;
 constexpr std::string_view kExtension = ".matrices";
 
 /// Age at which a draft counts as abandoned if the file system has no locks [s].
@@ -65,11 +65,14 @@ constexpr std::time_t kLongestWrite = 3600;
 std::string name_of(const std::string& digest) { return digest + std::string(kExtension); }
 
 bool starts_as_entry(std::string_view name) {
-  return name.size() >= kDigits + kExtension.size() && name.find_first_not_of("0123456789abcdef") == kDigits &&
-         name.substr(kDigits).starts_with(kExtension);
+  return name.size() >= kDigestLength + kExtension.size() &&
+         name.find_first_not_of("0123456789abcdef") == kDigestLength &&
+         name.substr(kDigestLength).starts_with(kExtension);
 }
 
-bool is_entry(std::string_view name) { return starts_as_entry(name) && name.size() == kDigits + kExtension.size(); }
+bool is_entry(std::string_view name) {
+  return starts_as_entry(name) && name.size() == kDigestLength + kExtension.size();
+}
 
 /// Whether a name is `DIGEST.matrices.RANDOM`.
 bool is_draft(std::string_view name) { return starts_as_entry(name) && !is_entry(name); }

@@ -27,8 +27,9 @@ struct ThrustRing {
 struct NutBore {
   /// Inner radius of the section that carries axial force, between a node of the line and the next.
   std::vector<double> root;
-  double pitch = 0.0;  ///< Radius of the contacts, from which on the ridges, closed rings half of which fill the groove
-                       ///< depth, carry hoop stress.
+  /// Pitch radius, that of the contacts. Hoop stress is carried from here outwards: the ridges are closed rings that
+  /// fill half of the groove depth.
+  double pitch = 0.0;
 };
 
 /// The step of the outer radius at the thrust section, or the whole face of an end, as far as the stated shoulder

@@ -87,6 +87,7 @@ constexpr std::string_view name(SlipStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
+/// A thread of an interface.
 struct ThreadOf {
   Interface interface = Interface::screw;
   int thread = 0;  ///< Index in the lists of the interface.
@@ -167,7 +168,7 @@ struct SlipResult {
   bool has_answer() const { return converged() || is_held(); }
 };
 
-/// Slip of a second nut, which is the last.
+/// Slip of the rollers of the second nut, whose own `second_nut` is empty.
 struct SecondNut : SlipResult {};
 
 }  // namespace prs
