@@ -130,6 +130,9 @@ int export_model(const Options& options) {
   const CurveOptions asked = curve_options(options.export_model);
   const ExportOptions& o = options.export_model;
   const bool for_robots = o.mjcf || o.urdf;
+  if (o.is_static && !o.fmu && !o.modelica) throw UsageError("--static: got no form that it is for; add --fmu or --modelica");
+  for (const auto& [option, is_given] : {std::pair{"--friction-load", o.friction_load.has_value()}, {"--play", o.play.has_value()}})
+    if (is_given && !for_robots) throw UsageError("{}: got no form that it is for; add --mjcf or --urdf", option);
   const input::Source source = case_source(options);
   SystemModel model = system_model(source, asked,
                                    for_robots              ? WithDrive::needed

@@ -24,6 +24,8 @@ PRS_EMBED(urdf_form, "prs/export/joint.urdf")
 namespace prs {
 namespace {
 
+constexpr double kFar = 1e3;  ///< A limit that no screw reaches [m].
+
 double largest_speed_of(const Case& c, const SystemCurves& curves) {
   if (!curves.friction.speed.empty()) return curves.friction.speed.back();
   if (c.response->curves.speed) return std::abs(*c.response->curves.speed);
@@ -197,11 +199,18 @@ std::string filled(std::string_view form, const Json& values) {
 
 std::string joint(std::string_view form, const ResponseInput& in, const Json& robot, const ModelText& text) {
   const auto& [upper, lower] = in.end_stops;
-  const bool limited = upper && lower;
-  const double least = limited ? lower->at : -1.0, most = limited ? upper->at : 1.0;
+  const auto end = [](const std::optional<ResponseInput::EndStop>& stop, double without) {
+    return stop ? stop->at : without;
+  };
   const auto bounds = [](const char* flag, const char* name, double from, double to) {
     return fmt::format(" {}=\"true\" {}=\"{:.17g} {:.17g}\"", flag, name, from, to);
   };
+  // One joint has one stiffness of limits, over the mass that they stop: that of the load.
+  const double stop = std::max(lower ? lower->stiffness : 0.0, upper ? upper->stiffness : 0.0);
+  const std::string range =
+      stop > 0.0 ? bounds("limited", "range", end(lower, -kFar), end(upper, kFar)) +
+                       fmt::format(" solreflimit=\"{:.9g} 0\" solimplimit=\"0.0001 0.0001 0.001\"", -stop / in.load.mass)
+                 : "";
   const auto& controller = in.motor.controller;
   const double torque = controller ? controller->largest_torque.value_or(0.0) : 0.0;
   const std::string origin = fmt::format("Planetary roller screw of {}, SHA-256 {}, by prs {}.",
@@ -218,11 +227,17 @@ std::string joint(std::string_view form, const ResponseInput& in, const Json& ro
                  {"origin_xml", fixed(html(origin), "--", "-&#45;")},           // or a comment.
                  {"drive_table", table_of(robot["losses"], "c_drive")},
                  {"back_table", table_of(robot["losses"], "c_back")},
-                 {"range", limited ? bounds("limited", "range", least, most) : ""},
+                 {"range", range},
+                 {"stops", stop > 0.0 ? fmt::format("\n  End stops are springs of {:.6g} N/m without damping{}.", stop,
+                                                    lower && upper && lower->stiffness != upper->stiffness
+                                                        ? ", the stiffer of both"
+                                                        : "")
+                                      : ""},
+                 {"no_stop", lower && upper ? "" : "\n  A limit of 1 m stands where the case has no end stop."},
                  {"control", torque > 0.0 ? bounds("ctrllimited", "ctrlrange", -torque, torque) : ""},
                  {"inertia", 1e-3 * in.load.mass},
-                 {"lower", least},
-                 {"upper", most}});
+                 {"lower", end(lower, -1.0)},
+                 {"upper", end(upper, 1.0)}});
   const bool coupled = robot.contains("slides") && robot["slides"].contains("rotor_kg");
   values["remarks"] = filled(remarks_form(), values);
   values["rotor"] = coupled ? filled(rotor_form(), values) : "";
@@ -245,6 +260,11 @@ Json robot_constants(const SystemModel& model, std::optional<double> friction_lo
   FrictionFit fit;
   fit.screw_drives = fit.load_drives = 1.0;
   if (!curves.friction.speed.empty()) fit = fit_friction(drive.curves, largest, speed);
+  if (friction_load.value_or(0.0) > largest)
+    throw CaseError("response.curves.force",
+                    fmt::format("the curves end at {:.6g} N; expected at least the {:.6g} N of the option "
+                                "`friction-load`, for example `curves: {{force: {:.6g} N}}`",
+                                largest, *friction_load, *friction_load));
   const auto [load, of] = friction_load ? std::pair{*friction_load, "as stated by the option `friction-load`"}
                                         : friction_load_of(drive, in, largest);
   const double drag = (in.screw.drag_torque + in.motor.friction_torque) / std::abs(r);
