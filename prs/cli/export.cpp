@@ -48,6 +48,9 @@ std::vector<const Form*> forms_of(const ExportOptions& options) {
   for (const Form& form : kForms)
     if (options.*form.is_asked_for) forms.push_back(&form);
   if (options.play && !options.mjcf) throw UsageError("--play: needs --mjcf, whose file then has the joint");
+  if (options.friction_load && !options.mjcf && !options.urdf)
+    throw UsageError("--friction-load: needs --mjcf or --urdf, whose constant friction is that of this load");
+  if (options.is_static && !options.fmu) throw UsageError("--static: needs --fmu, which has the drive without it");
   return forms;
 }
 
@@ -130,9 +133,6 @@ int export_model(const Options& options) {
   const CurveOptions asked = curve_options(options.export_model);
   const ExportOptions& o = options.export_model;
   const bool for_robots = o.mjcf || o.urdf;
-  if (o.is_static && !o.fmu && !o.modelica) throw UsageError("--static: got no form that it is for; add --fmu or --modelica");
-  for (const auto& [option, is_given] : {std::pair{"--friction-load", o.friction_load.has_value()}, {"--play", o.play.has_value()}})
-    if (is_given && !for_robots) throw UsageError("{}: got no form that it is for; add --mjcf or --urdf", option);
   const input::Source source = case_source(options);
   SystemModel model = system_model(source, asked,
                                    for_robots              ? WithDrive::needed

@@ -208,9 +208,10 @@ std::string joint(std::string_view form, const ResponseInput& in, const Json& ro
   // One joint has one stiffness of limits, over the mass that they stop: that of the load.
   const double stop = std::max(lower ? lower->stiffness : 0.0, upper ? upper->stiffness : 0.0);
   const std::string range =
-      stop > 0.0 ? bounds("limited", "range", end(lower, -kFar), end(upper, kFar)) +
-                       fmt::format(" solreflimit=\"{:.9g} 0\" solimplimit=\"0.0001 0.0001 0.001\"", -stop / in.load.mass)
-                 : "";
+      stop > 0.0
+          ? bounds("limited", "range", end(lower, -kFar), end(upper, kFar)) +
+                fmt::format(" solreflimit=\"{:.9g} 0\" solimplimit=\"0.0001 0.0001 0.001\"", -stop / in.load.mass)
+          : "";
   const auto& controller = in.motor.controller;
   const double torque = controller ? controller->largest_torque.value_or(0.0) : 0.0;
   const std::string origin = fmt::format("Planetary roller screw of {}, SHA-256 {}, by prs {}.",
@@ -221,23 +222,23 @@ std::string joint(std::string_view form, const ResponseInput& in, const Json& ro
     return std::regex_replace(from, std::regex(what), to);
   };
   Json values = robot;
-  values.update({{"robot", lines},
-                 {"name", text.name},
-                 {"origin", fixed(wrapped(origin, "", 100), "[\"\\\\]", "'")},  // Nothing may end a docstring,
-                 {"origin_xml", fixed(html(origin), "--", "-&#45;")},           // or a comment.
-                 {"drive_table", table_of(robot["losses"], "c_drive")},
-                 {"back_table", table_of(robot["losses"], "c_back")},
-                 {"range", range},
-                 {"stops", stop > 0.0 ? fmt::format("\n  End stops are springs of {:.6g} N/m without damping{}.", stop,
-                                                    lower && upper && lower->stiffness != upper->stiffness
-                                                        ? ", the stiffer of both"
-                                                        : "")
-                                      : ""},
-                 {"no_stop", lower && upper ? "" : "\n  A limit of 1 m stands where the case has no end stop."},
-                 {"control", torque > 0.0 ? bounds("ctrllimited", "ctrlrange", -torque, torque) : ""},
-                 {"inertia", 1e-3 * in.load.mass},
-                 {"lower", end(lower, -1.0)},
-                 {"upper", end(upper, 1.0)}});
+  values.update(
+      {{"robot", lines},
+       {"name", text.name},
+       {"origin", fixed(wrapped(origin, "", 100), "[\"\\\\]", "'")},  // Nothing may end a docstring,
+       {"origin_xml", fixed(html(origin), "--", "-&#45;")},           // or a comment.
+       {"drive_table", table_of(robot["losses"], "c_drive")},
+       {"back_table", table_of(robot["losses"], "c_back")},
+       {"range", range},
+       {"stops",
+        stop > 0.0 ? fmt::format("\n  End stops are springs of {:.6g} N/m without damping{}.", stop,
+                                 lower && upper && lower->stiffness != upper->stiffness ? ", the stiffer of both" : "")
+                   : ""},
+       {"no_stop", lower && upper ? "" : "\n  A limit of 1 m stands where the case has no end stop."},
+       {"control", torque > 0.0 ? bounds("ctrllimited", "ctrlrange", -torque, torque) : ""},
+       {"inertia", 1e-3 * in.load.mass},
+       {"lower", end(lower, -1.0)},
+       {"upper", end(upper, 1.0)}});
   const bool coupled = robot.contains("slides") && robot["slides"].contains("rotor_kg");
   values["remarks"] = filled(remarks_form(), values);
   values["rotor"] = coupled ? filled(rotor_form(), values) : "";

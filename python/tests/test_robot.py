@@ -327,11 +327,58 @@ def test_curves_between_their_nodes(exported: Callable[..., Axis]) -> None:
     assert screw.flank_force(20e-6, 0.0) > 0.0 > screw.flank_force(-20e-6, 0.0)
 
 
+@pytest.mark.parametrize("play", [None, "joint"])
+@pytest.mark.parametrize("side", ["upper", "lower"])
+def test_a_stop_alone_is_a_spring(
+    exported: Callable[..., Axis], side: str, play: str | None
+) -> None:
+    """Without friction a mass M at the speed v goes v sqrt(M/k) into a stop."""
+    stiffness, speed = 2e6, 0.05
+    sign = 1.0 if side == "upper" else -1.0
+    stops = {side: {"at": f"{20.0 * sign} mm", "stiffness": f"{stiffness} N/m"}}
+    case = lesson(34).with_({"response.end_stops": stops})
+    model = exported(case, play=play).model
+    model.opt.timestep = min(model.opt.timestep, 5e-5)
+    model.dof_frictionloss[:] = model.dof_damping[:] = 0.0
+    model.tendon_frictionloss[:] = model.tendon_damping[:] = 0.0
+    model.opt.gravity[:] = 0.0
+    data = mujoco.MjData(model)
+
+    def position() -> float:
+        return sign * (data.qpos[0] if play is None else data.qpos.sum())
+
+    data.qpos[0] = sign * 0.0199
+    data.qvel[0] = sign * speed
+    deepest = 0.0
+    for _ in range(round(0.05 / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+        deepest = max(deepest, position() - 0.02)
+    if play is None:
+        mass = model.body_mass.sum() + model.dof_armature[0]
+        assert deepest == pytest.approx(speed * math.sqrt(mass / stiffness), rel=0.01)
+    else:  # The spring of the screw yields, too.
+        assert (
+            0.0
+            < deepest
+            < speed * math.sqrt((model.body_mass.sum() + model.dof_armature.sum()) / stiffness)
+        )
+
+
+def test_friction_of_a_joint_that_is_not_there(exported: Callable[..., Axis]) -> None:
+    axis = exported(lesson(34))
+    axis.screw.SCREW = "knee"
+    with pytest.raises(ValueError, match="no joint 'knee'"):
+        axis.screw.prepare(axis.model)
+
+
 def test_wrong_play(program: Run, configs: Path, tmp_path: Path) -> None:
     case = configs / "34_reversal.yaml"
     for options, words in (
         (("--urdf", "--play", "joint"), "--play: needs --mjcf"),
         (("--mjcf", "--play", "hinge"), "joint"),
+        (("--fmu", "--friction-load", "1 kN"), "--friction-load: needs --mjcf or --urdf"),
+        (("--mjcf", "--friction-load", "9 MN"), "response.curves.force"),
+        (("--mjcf", "--static"), "--static: needs --fmu"),
         (("--mjcf", "--play", "joint", "--set", "response.screw.inertia=0 kg m^2"), "inertia"),
     ):
         run = program("export", case, *options, "--output", tmp_path)
