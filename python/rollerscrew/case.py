@@ -577,7 +577,7 @@ class Case(Analyses):
         name, text, overrides, folder, files = self._parts()
         frames = reference if isinstance(reference, list) else [reference]
         given, blocks = dict(files or {}), []
-        for k, columns in enumerate(frames, start=1):
+        for k, columns in enumerate(map(_with_index, frames), start=1):
             file = "reference.csv" if len(frames) == 1 else f"reference {k}.csv"
             given[file] = _csv_of("reference", columns)
             blocks.append({"file": file, **options})
@@ -904,6 +904,13 @@ def _made_anew(text: str, overrides: list[str], error: InputError) -> str:
         f"{line}; it was assumed for the values of before: make the case anew, `{call}`"
         for line in str(error).splitlines()
     )
+
+
+def _with_index(columns: Any) -> Any:
+    """A frame with the columns `thread` and `load_case` where its index holds them."""
+    names = getattr(getattr(columns, "index", None), "names", [])
+    held = [name for name in names if name in ("thread", "load_case") and name not in columns]
+    return columns.reset_index(held) if held else columns
 
 
 def _csv_of(name: str, columns: Any) -> bytes:
