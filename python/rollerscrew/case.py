@@ -666,7 +666,7 @@ class Case(Analyses):
 
         `inputs` gives each path, as `--set` takes it, an array of numbers with its unit, a pint
         array, or a list of what may stand there; single values are those of all designs. A frame
-        does, too, with units in the names of its columns: `mechanism.lead_mm`.
+        does, too, with units in the names of its columns: `mechanism.lead_mm`; its index is kept.
         `responses` are paths into the document of the command, see `Case.responses`: those of the
         first load case may leave `load_cases[0].` out, others name theirs
         (`load_cases[pull].axial_stiffness_N_per_um`), arrays are taken whole or with `[k]`, `.max`,
