@@ -577,7 +577,7 @@ class Case(Analyses):
         name, text, overrides, folder, files = self._parts()
         frames = reference if isinstance(reference, list) else [reference]
         given, blocks = dict(files or {}), []
-        for k, columns in enumerate(frames, start=1):
+        for k, columns in enumerate(map(_with_index, frames), start=1):
             file = "reference.csv" if len(frames) == 1 else f"reference {k}.csv"
             given[file] = _csv_of("reference", columns)
             blocks.append({"file": file, **options})
@@ -666,7 +666,7 @@ class Case(Analyses):
 
         `inputs` gives each path, as `--set` takes it, an array of numbers with its unit, a pint
         array, or a list of what may stand there; single values are those of all designs. A frame
-        does, too, with units in the names of its columns: `mechanism.lead_mm`.
+        does, too, with units in the names of its columns: `mechanism.lead_mm`; its index is kept.
         `responses` are paths into the document of the command, see `Case.responses`: those of the
         first load case may leave `load_cases[0].` out, others name theirs
         (`load_cases[pull].axial_stiffness_N_per_um`), arrays are taken whole or with `[k]`, `.max`,
@@ -904,6 +904,13 @@ def _made_anew(text: str, overrides: list[str], error: InputError) -> str:
         f"{line}; it was assumed for the values of before: make the case anew, `{call}`"
         for line in str(error).splitlines()
     )
+
+
+def _with_index(columns: Any) -> Any:
+    """A frame with the columns `thread` and `load_case` where its index holds them."""
+    names = getattr(getattr(columns, "index", None), "names", [])
+    held = [name for name in names if name in ("thread", "load_case") and name not in columns]
+    return columns.reset_index(held) if held else columns
 
 
 def _csv_of(name: str, columns: Any) -> bytes:

@@ -143,10 +143,25 @@ class Designs:
             return _numbers(self, chosen)
         whole = self._whole_responses().get(chosen)
         if whole is None:
-            raise KeyError(self._unknown(chosen))
+            if (placed := self._with_places(chosen)) == chosen:
+                raise KeyError(self._unknown(chosen))
+            return self[placed]
         array = self.values[:, whole]
         array.flags.writeable = False
         return array
+
+    def _with_places(self, name: str) -> str:
+        """`load_cases[0].slip.efficiency` of `load_cases[pull].slip.efficiency`."""
+        from rollerscrew.case import Case
+
+        found = re.match(r"load_cases\[(?!\d+\])([^\]]+)\]", name)
+        if found is None or self.origin is None:
+            return name
+        entries = Case._from_source(source_of(self.origin.case))["load_cases"]
+        names = [entry.get("name") for entry in entries]
+        if found[1] not in names:
+            return name
+        return f"load_cases[{names.index(found[1])}]{name[found.end() :]}"
 
     def _unknown(self, name: str) -> str:
         return f"no column {name!r}; there is {', '.join([*self.inputs, *self._whole_responses()])}"
@@ -286,6 +301,8 @@ class Designs:
         """
         from rollerscrew import plots
 
+        x, y = self._with_places(x), self._with_places(y)
+        colour = colour and self._with_places(colour)
         return plots.draw(_cloud(self, x, y, colour), ax, label=label, color=color, width=width)
 
     def to_frame(self) -> pd.DataFrame:
@@ -306,8 +323,9 @@ class Designs:
     def to_xarray(self) -> xarray.Dataset:
         """Responses over the inputs: where these form a grid, each is a dimension.
 
-        Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads
-        have the dimension `thread`; the number of the first thread is 1. Variables have the
+        Else there is one dimension, `design`, with the inputs as coordinates. The index of a frame
+        is a coordinate, too, where there is one dimension. Arrays of threads have the dimension
+        `thread`; the number of the first thread is 1. Variables have the
         attributes `units` and `long_name`, the whole `prs_version`, `case_file`, `input_sha256`,
         `command` and `loads`: `at rest`, or `running` with the friction of a screw that turns.
 
@@ -328,10 +346,13 @@ class Designs:
         if not shape or np.prod(shape) != len(self) or (order < 0).any():
             dims, order = ("design",), np.arange(len(self))
             coordinates = {name: ("design", self.inputs[name].to_numpy()) for name in names}
+        if len(dims) == 1 and not self._counts_rows:
+            for label, values in _index_columns(self.inputs.index).items():
+                coordinates[label] = (dims, values[order])
         data: dict[str, Any] = {}
         for name, columns in self._whole_responses().items():
             values = self.values[order][..., columns]
-            title, unit = _engine.response_title(self.responses[columns[0]])
+            title, unit = _engine.response_title(name)
             said = {"long_name": title, "units": unit}
             if len(columns) == 1:
                 data[name] = (dims, values[..., 0], said)
@@ -360,8 +381,21 @@ class Designs:
         return attributes
 
 
+def _index_columns(index: pd.Index[Any]) -> dict[str, npt.NDArray[Any]]:
+    """The labels of designs by the names of their coordinates: `design`, or those of the levels."""
+    if index.nlevels == 1:
+        return {"design": index.to_numpy()}
+    return {
+        str(name if name is not None else f"level_{k}"): index.get_level_values(k).to_numpy()
+        for k, name in enumerate(index.names)
+    }
+
+
 #: The last place in a path: `screw.load_rate_percent[3]`.
 _ENTRY = re.compile(r"\[\d+\]$")
+
+
+_MOST_NORMAL_POINTS = 100
 
 
 def _cloud(answers: Designs, x: str, y: str, colour: str | None) -> dict[str, Any]:
@@ -372,9 +406,10 @@ def _cloud(answers: Designs, x: str, y: str, colour: str | None) -> dict[str, An
     if not len(values):
         raise ValueError("no design converged with numbers in all of these columns")
     series: dict[str, Any] = {"style": 0, "parts": [values[:, :2]]}
+    weight = "thin" if len(values) > _MOST_NORMAL_POINTS else "normal"
     described: dict[str, Any] = {
         "name": "designs",
-        "styles": [{"colour": "blue", "dash": "none", "mark": "circle", "weight": "thin"}],
+        "styles": [{"colour": "blue", "dash": "none", "mark": "circle", "weight": weight}],
         "x": _axis(answers, x),
         "y": _axis(answers, y),
         "panels": [{"series": [series]}],
@@ -392,7 +427,12 @@ def _axis(answers: Designs, name: str) -> dict[str, Any]:
     if name in answers.inputs:
         path, unit = _path_and_unit(name)
         label = re.sub(r"[._]", " ", path.partition(".")[2] or path)
-    return {"label": label[:1].upper() + label[1:], "unit": unit.replace("um", "µm")}
+    axis = {"label": label[:1].upper() + label[1:], "unit": unit.replace("um", "µm")}
+    return axis | ({"whole": True} if _counts(answers, name) else {})
+
+
+def _counts(answers: Designs, name: str) -> bool:
+    return name in answers.inputs and answers.inputs[name].dtype.kind in "iu"
 
 
 def _numbers(answers: Designs, name: str) -> npt.NDArray[np.float64]:
@@ -535,21 +575,19 @@ def _inputs_of_frame(frame: Any) -> dict[str, Any]:
 
 
 def _path_and_unit(name: str) -> tuple[str, str]:
-    """`mechanism.lead` and `mm` of `mechanism.lead_mm`."""
+    """`mechanism.lead` and `mm` of `mechanism.lead_mm`, whatever entry of a list it is of."""
     keys = _unit_keys()
-    for place, character in enumerate(name):
-        if character == "_" and name[place + 1 :] in keys and name[:place] in _known_paths():
-            return name[:place], keys[name[place + 1 :]]
-    plain_path = re.sub(r"\[[^\]]*\]", "[]", name)
+    plain_path = _plain(name)
     for place, character in enumerate(plain_path):
-        if (
-            character == "_"
-            and plain_path[place + 1 :] in keys
-            and plain_path[:place] in _known_paths()
-        ):
-            unit = plain_path[place + 1 :]
+        unit = plain_path[place + 1 :]
+        if character == "_" and unit in keys and plain_path[:place] in _known_paths():
             return name[: -len(unit) - 1], keys[unit]
     return name, ""
+
+
+def _plain(path: str) -> str:
+    """`load_cases[].axial_force` of `load_cases[pull].axial_force`."""
+    return re.sub(r"\[[^\]]*\]", "[]", path)
 
 
 @lru_cache(maxsize=1)
@@ -568,7 +606,7 @@ def _unit_keys() -> dict[str, str]:
 @lru_cache(maxsize=1)
 def _known_paths() -> frozenset[str]:
     """The paths of all inputs, `[]` for the places of lists."""
-    return frozenset(_engine.input_paths())
+    return frozenset(map(_plain, _engine.input_paths()))
 
 
 def _with_entries(case: Case, responses: list[str], command: Command) -> list[str]:

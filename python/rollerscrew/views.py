@@ -622,7 +622,11 @@ class FitViews(Result):
     fit: Fit
 
     def parameters_frame(self) -> pd.DataFrame:
-        """Values with deviations and intervals, one row per parameter, offsets last."""
+        """Values with deviations and intervals, one row per parameter, offsets last.
+
+        `low` and `high` are the ends of the interval of `level`, 90 % unless the fit states another
+        one: `fit.level_percent`.
+        """
         return frame_of([dict(flat(one)) for one in self.fit.parameters], {"name": str})
 
     def to_frame(self) -> pd.DataFrame:

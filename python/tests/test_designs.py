@@ -834,3 +834,34 @@ def test_blocks_of_a_case_are_copies() -> None:
     case = lesson(1)
     case["mechanism"]["rollers"] = 3
     assert case["mechanism.rollers"] != 3
+
+
+FORCE_OF_PUSH = "load_cases[config1-compression].axial_force"
+
+
+def test_columns_of_a_frame_name_load_cases_and_units() -> None:
+    frame = pd.DataFrame({f"{FORCE_OF_PUSH}_kN": [10.0, 20.0]}, index=["low", "high"])
+    stiffness = f"load_cases[config1-compression].{STIFFNESS}"
+    designs = lesson(1).evaluate(frame, [stiffness])
+    force = lesson(1).with_({FORCE_OF_PUSH: "20 kN"}).solve().load_case("config1-compression")
+    assert designs[stiffness][1] == pytest.approx(force.axial_stiffness_N_per_um, rel=1e-9)
+    assert designs.best(stiffness, largest=True) == 1
+    np.testing.assert_array_equal(designs[f"{FORCE_OF_PUSH}_kN"], [10.0, 20.0])
+    with pytest.raises(KeyError, match="no column"):
+        designs[f"load_cases[none].{STIFFNESS}"]
+
+
+def test_xarrays_have_the_index_of_a_frame_and_titles_of_whole_arrays() -> None:
+    shares, force = "screw.load_rate_percent", "load_cases[0].axial_force_kN"
+    frame = pd.DataFrame({"mechanism.rollers": [11, 9, 11], force: [10.0, 20.0, 20.0]})
+    named = lesson(1).evaluate(frame.set_axis(["A", "B", "C"]), [STIFFNESS, shares]).to_xarray()
+    assert named["design"].values.tolist() == ["A", "B", "C"]
+    assert int(named["mechanism.rollers"].sel(design="B")) == 9
+    assert named[shares].attrs == {"long_name": "share of the load, screw", "units": "%"}
+    assert "design" not in lesson(1).evaluate(frame, [STIFFNESS]).to_xarray().coords
+    along = lesson(1).evaluate(frame[[force]][:2].set_axis(["B", "A"])[::-1], [STIFFNESS])
+    assert along.to_xarray()["design"].values.tolist() == ["B", "A"]
+    levels = pd.MultiIndex.from_tuples([("x", 1), ("x", 2), ("y", 1)], names=["family", None])
+    both = lesson(1).evaluate(frame.set_axis(levels), [STIFFNESS]).to_xarray()
+    assert both["family"].values.tolist() == ["x", "x", "y"]
+    assert both["level_1"].values.tolist() == [1, 2, 1]

@@ -668,6 +668,15 @@ def test_designs_as_points() -> None:
         answers.plot("x", stiffness)
 
 
+def test_counts_of_designs_have_whole_numbers_beside_them() -> None:
+    rollers, stiffness = "mechanism.rollers", "axial_stiffness_N_per_um"
+    answers = lesson(1).evaluate({rollers: [9, 10, 11]}, [stiffness])
+    bar = other_axes(answers.plot(stiffness, stiffness, rollers))[0]
+    assert [each.get_text() for each in bar.get_yticklabels()] == ["9", "10", "11"]
+    ax = answers.plot(rollers, stiffness)
+    assert all(tick == round(tick) for tick in ax.get_xticks())
+
+
 # Several pictures in the same axes
 
 
@@ -788,6 +797,16 @@ def test_a_legend_of_ones_own_keeps_the_label() -> None:
     ax.plot([1.0], [5.0], "k+", label="FE")
     texts = [text.get_text() for text in ax.legend().get_texts()]
     assert any(text.startswith("OD 64") for text in texts) and "FE" in texts
+
+
+def test_a_legend_of_ones_own_says_which_line_is_of_which_interface() -> None:
+    _, ax = plt.subplots()
+    answer(1, "solve", rs.SolveResult).plot_load_distribution(0, ax=ax)
+    drawn = [text.get_text() for text in ax.get_legend().get_texts()]
+    ax.plot([1.0], [5.0], "k+", label="FE")
+    own = [text.get_text() for text in ax.legend().get_texts()]
+    assert set(own) == {*drawn, "FE"}
+    assert any("nut" in text for text in own)
 
 
 def test_axes_that_are_given_make_room_once() -> None:

@@ -2,6 +2,7 @@
 
 import matplotlib as mpl
 import numpy as np
+import pandas as pd
 import pytest
 import rollerscrew as rs
 from conftest import lesson
@@ -40,6 +41,16 @@ def test_several_references_stand_side_by_side() -> None:
     other["screw.load_rate_percent"] = [5.0] * 20
     result = case.compare([own, other])
     assert [r.file for r in result.references or []] == ["reference 1.csv", "reference 2.csv"]
+
+
+def test_threads_and_load_cases_may_be_the_index() -> None:
+    case = lesson(1)
+    frame = pd.DataFrame(table(case))
+    named = case.compare(frame).references_frame()
+    for index in ("thread", ["load_case", "thread"]):
+        pd.testing.assert_frame_equal(
+            case.compare(frame.set_index(index)).references_frame(), named
+        )
 
 
 def test_what_is_wrong_is_named_where_it_stands() -> None:

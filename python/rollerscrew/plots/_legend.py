@@ -128,6 +128,7 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
     handles = list(getattr(ax, KEYS, []))
     told = {str(handle.get_label()) for handle in handles}
     handles += [each for each in keys(description) if str(each.get_label()) not in told]
+    _label_for_legends(ax, handles)
     setattr(ax, TITLES, titles)
     setattr(ax, KEYS, handles)
     if not handles:
@@ -146,6 +147,19 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
     raised = low + (high - low) / (1.0 - min(taken, 0.65))
     ax.set_ylim(top=float(scale.inverted().transform(np.array([raised]))[0]), auto=None)
     setattr(ax, LIMITS, (limits, ax.get_ylim()))
+
+
+def _label_for_legends(ax: Axes, handles: Iterable[Artist]) -> None:
+    """Lines without points for keys that no artist has, so that `ax.legend()` shows them, too."""
+    from matplotlib.lines import Line2D
+
+    labelled = set(ax.get_legend_handles_labels()[1])
+    for handle in handles:
+        if isinstance(handle, Line2D) and str(handle.get_label()) not in labelled:
+            key = Line2D([], [])
+            key.update_from(handle)
+            key.set_label(handle.get_label())
+            ax.add_line(key)
 
 
 def _columns(width_mm: float, labels: Iterable[str]) -> int:
