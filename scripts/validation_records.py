@@ -346,7 +346,8 @@ def summary(validation: dict, results: dict) -> str:
     return lines + (
         f"\nOf the {len(ratios)} numbers of the [benchmark](../../benchmark/README.md), "
         f"{sum(ratio <= 1.0 for ratio in ratios)} are within the\n"
-        f"uncertainty that each of them states; the largest deviation is {max(ratios):.2g} of it.\n\n"
+        f"uncertainty that each of them states; the largest deviation is {max(ratios):.2g} of it. Elastic bodies of case 06 are\n"
+        "`influence` there; [refined.md](refined.md) has how far `refined` is from them.\n\n"
         "**Not covered.** No measurement is this project's own: efficiencies, temperatures, play and lives are compared\n"
         "with published tests and with makers' catalogues alone. No publication has loads of single threads with all inputs, so\n"
         "those are compared with finite elements of this repository, for an inverted screw of 20 threads and a standard\n"

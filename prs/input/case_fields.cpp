@@ -826,16 +826,18 @@ void fields(const Fields& io, MeasureOptions::System& s) {
 }
 
 void fields(const Fields& io, Bearings& b) {
-  io("fixed", b.fixed, Block{}, required, "That holds the part that turns along its axis; ball bearings");
+  io("fixed", b.fixed, Block{"{dynamic_capacity: 50 kN}"}, required,
+     "That holds the part that turns along its axis; ball bearings");
 }
 
 void fields(const Fields& io, Bearings::Fixed& b) {
   io("dynamic_capacity", b.dynamic_capacity, Quantity{unit::force, positive, "50 kN"}, "Axial, of a catalogue");
   io("static_capacity", b.static_capacity, Quantity{unit::force, positive, "90 kN"}, "Axial, of a catalogue");
-  io("preload", b.preload, Quantity{unit::force, not_negative, "5 kN"}, "Of the bearings against each other");
+  const Presence of_life = optional_only_if(b.dynamic_capacity.has_value(), "only with `dynamic_capacity`");
+  io("preload", b.preload, Quantity{unit::force, not_negative, "5 kN"}, of_life, "Of the bearings against each other");
   io("stiffness", b.stiffness, Quantity{unit::stiffness, positive, "800 N/um"},
      "Axial, in place of `measures.system.support_bearing`");
-  io("exponent", b.exponent, Number{{.least = 1.0, .greatest = 5.0}, "3"}, "Of the load in its life");
+  io("exponent", b.exponent, Number{{.least = 1.0, .greatest = 5.0}, "3"}, of_life, "Of the load in its life");
 }
 
 void fields(const Fields& io, MeasureOptions& m) {
@@ -1055,7 +1057,7 @@ void fields(const Fields& io, MotorDuty::Step& s) {
 void fields(const Fields& io, MotorDuty& d) {
   fields(io, d.motor);
   io("brake_torque", d.brake_torque, Quantity{unit::torque, positive, "4 N m"}, "Holds the axis at rest, at its shaft");
-  io("brake_safety", d.brake_safety, Number{positive, "1.5"},
+  io("brake_safety", d.brake_safety, Number{{.least = 1.0}, "1.5"},
      optional_only_if(d.brake_torque.has_value(), "only with `brake_torque`"),
      "Least torque of the brake over that of the holding force");
   io("drag_torque", d.drag_torque, Quantity{unit::torque, not_negative}, "Against the motion, at the part that turns");

@@ -331,7 +331,7 @@ void read(const Written& w, const OneOr& value) {
 /// Reads the keys of one map.
 class MapReader {
  public:
-  explicit MapReader(const Written& map) : map_(map) {}
+  MapReader(const Written& map, const MapValue& value) : map_(map), value_(value) {}
 
   void read_key(const Field& field) {
     known_.push_back(field.key);
@@ -345,8 +345,8 @@ class MapReader {
     field.renew();
     if (field.presence.allowed) return read({*node, path, map_.errors}, field.value());
     map_.errors.add_consequence(node->key_place, path,
-                                fmt::format("got {}; expected no such key here: it stands {}; delete it", got(*node),
-                                            field.presence.condition));
+                                fmt::format("got {}; expected no such key here: it stands {}; {}", got(*node),
+                                            field.presence.condition, fix_of(field.presence.condition)));
   }
 
   void refuse_other_keys() const {
@@ -394,6 +394,19 @@ class MapReader {
     return fmt::format("write a blank after the colon: `{}: {}`", key.substr(0, colon), shown(key.substr(colon + 1)));
   }
 
+  /// How to fix a key that stands only with another one, which is in backticks.
+  std::string fix_of(std::string_view condition) const {
+    constexpr std::string_view kWith = "with `";
+    const std::size_t from = condition.find(kWith);
+    if (from == condition.npos) return "delete it";
+    const std::string_view behind = condition.substr(from + kWith.size()), key = behind.substr(0, behind.find('`'));
+    std::string text(key);
+    value_.for_each([&](const Field& field) {
+      if (field.key == key) text += ": " + field.sample([](const Value& v) { return wanted(v); }).example;
+    });
+    return find(map_.node, key) ? "delete it" : fmt::format("write `{}`, or delete it", text);
+  }
+
   void refuse_absence(const std::string& path, const Wanted& w, Presence presence) const {
     const Node& map = map_.node;
     const Place place = map.key.empty() ? map.place : map.key_place;
@@ -406,12 +419,13 @@ class MapReader {
   }
 
   const Written& map_;
+  const MapValue& value_;
   std::vector<std::string_view> known_;
 };
 
 void read(const Written& w, const MapValue& map) {
   if (w.node.kind != Node::Kind::map) return w.refuse(wanted(map));
-  MapReader keys(w);
+  MapReader keys(w, map);
   map.for_each([&](const Field& field) { keys.read_key(field); });
   keys.refuse_other_keys();
 }

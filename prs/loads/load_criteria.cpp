@@ -32,36 +32,6 @@ std::optional<double> largest_pressure(const Result& result, const LoadCaseResul
   return largest;
 }
 
-/// Stiffness under the largest force.
-FoundCriterion stiffness_under_load(const Result& result, const JudgedCase& of, const InSeriesOf& in_series) {
-  FoundCriterion found("stiffness", "no load case has one");
-  double largest = 0.0;
-  for (const LoadCaseResult& r : result.load_cases) largest = std::max(largest, std::abs(r.load_case.axial_force));
-  for (const auto k : indices(result.load_cases)) {
-    const LoadCaseResult& r = result.load_cases[k];
-    if (std::abs(r.load_case.axial_force) < (1.0 - kLimitRounding) * largest) continue;
-    const auto take = [&](std::optional<double> stiffness, std::string_view kind) {
-      if (!stiffness) return;
-      std::string note = fmt::format("largest force, {}{}{}", words_of_text(name(r.loads)), of.without_preload(), kind);
-      const std::optional<InSeries> others = of.limits.stiffness && in_series ? in_series(k) : std::nullopt;
-      if (others) {
-        found.title = others->title;
-        stiffness = 1.0 / (1.0 / *stiffness + others->compliance);
-      } else if (of.limits.stiffness) {
-        note += ", without the shaft: measures.shaft is missing";
-      }
-      found.take(*stiffness * "N/µm"_per_si, r.load_case.name, note);
-    };
-    // Loads across the axis move the screw too, so that force over displacement may be no stiffness; a tilted or
-    // offset seat moves it without any load.
-    const SpatialLoad& spatial = r.load_case.spatial;
-    const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
-    if (!askew) take(r.axial_stiffness, "");
-    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, since something acts across the axis");
-  }
-  return found;
-}
-
 }  // namespace
 
 double rise_elsewhere(const LoadCaseResult& r) {
@@ -86,6 +56,39 @@ FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_res
   return found;
 }
 
+FoundCriterion stiffness_criterion(const Result& result, const JudgedCase& of, const InSeriesOf& in_series,
+                                   bool under_preload) {
+  FoundCriterion found("stiffness", "no load case has one");
+  double largest = 0.0;
+  for (const LoadCase& load : of.c.load_cases) largest = std::max(largest, std::abs(load.axial_force));
+  for (const LoadCaseResult& r : result.load_cases) {
+    const LoadCase& load = r.load_case;
+    if (std::abs(load.axial_force) < (1.0 - kLimitRounding) * largest) continue;
+    // A play is no preload: the stiffness is that of one flank.
+    if (!under_preload && of.preloaded.contains(load.name) && !of.c.preload->backlash) continue;
+    const auto take = [&](std::optional<double> stiffness, std::string_view kind) {
+      if (!stiffness) return;
+      std::string note = fmt::format("largest force, {}{}{}", words_of_text(name(r.loads)),
+                                     under_preload ? " under preload" : of.without_preload(), kind);
+      const std::optional<InSeries> others = of.limits.stiffness && in_series ? in_series(load) : std::nullopt;
+      if (others) {
+        found.title = others->title;
+        stiffness = 1.0 / (1.0 / *stiffness + others->compliance);
+      } else if (of.limits.stiffness) {
+        note += ", without the shaft: measures.shaft is missing";
+      }
+      found.take(*stiffness * "N/µm"_per_si, load.name, note);
+    };
+    // Loads across the axis move the screw too, so that force over displacement may be no stiffness; a tilted or
+    // offset seat moves it without any load.
+    const SpatialLoad& spatial = load.spatial;
+    const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
+    if (!askew) take(r.axial_stiffness, "");
+    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, for something acts across the axis");
+  }
+  return found;
+}
+
 std::string failed_cases(const Result& result, std::string_view what, bool (*good)(const LoadCaseResult&)) {
   const auto bad = std::ranges::count_if(result.load_cases, std::not_fn(good));
   if (bad == 0) return {};
@@ -102,7 +105,7 @@ void take_temperatures(FoundCriterion& found, const PerPart<double>& kelvin, std
 }
 
 std::vector<FoundCriterion> load_criteria(const Result& result, const JudgedCase& of, const InSeriesOf& in_series) {
-  return {pressure_criterion(result, &of), stiffness_under_load(result, of, in_series),
+  return {pressure_criterion(result, &of), stiffness_criterion(result, of, in_series),
           convergence(failed_cases(result, "thread loads", [](const LoadCaseResult& r) { return r.converged(); }))};
 }
 

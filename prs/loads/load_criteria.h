@@ -25,7 +25,12 @@ struct InSeries {
   std::string_view title;
   double compliance = 0.0;
 };
-using InSeriesOf = std::function<std::optional<InSeries>(std::size_t load_case)>;
+using InSeriesOf = std::function<std::optional<InSeries>(const LoadCase& load)>;
+
+/// Stiffness under the largest force of the case, with what is in series if it has a limit; without preload not of load
+/// cases whose stiffness under preload is judged.
+FoundCriterion stiffness_criterion(const Result& result, const JudgedCase& of, const InSeriesOf& in_series,
+                                   bool under_preload = false);
 
 /// Pressure, stiffness and convergence. A limit of the stiffness is that of the drive: what is in series with the
 /// screw counts too.

@@ -176,16 +176,19 @@ std::vector<FoundCriterion> motor_criteria(const Case& c, const MotorDuty& duty,
   const std::string reason = !slip ? *why : "a step has no slip, or the parts no inertia";
   FoundCriterion rms("motor_torque", reason), peak("motor_peak_torque", reason);
   const std::optional<MotorDemand> demand = demand_of(duty, slip, lead, inertia);
+  const std::string_view at_mean =
+      slip && slip->heat_cycle && slip->heat_cycle->is_mission() ? ", at the mean temperatures of the mission" : "";
+  const std::string of_cycle = fmt::format("motor.cycle{}", at_mean), over_cycle = "rms over " + of_cycle;
   if (demand) {
-    rms.take(demand->rms_torque, "", "rms over motor.cycle");
-    peak.take(demand->peak_torque, "", "motor.cycle");
+    rms.take(demand->rms_torque, "", over_cycle);
+    peak.take(demand->peak_torque, "", of_cycle);
   }
   FoundCriterion voltage("motor_voltage", duty.motor.resistance ? reason : "add motor.resistance"),
       current("motor_current", reason), rms_current("motor_rms_current", reason);
   if (demand && demand->electric) {
-    voltage.take(demand->electric->peak_voltage, "", "motor.cycle");
-    current.take(demand->electric->peak_current, "", "motor.cycle");
-    rms_current.take(demand->electric->rms_current, "", "rms over motor.cycle");
+    voltage.take(demand->electric->peak_voltage, "", of_cycle);
+    current.take(demand->electric->peak_current, "", of_cycle);
+    rms_current.take(demand->electric->rms_current, "", over_cycle);
   }
   rms.limit = duty.motor.rated_torque;
   peak.limit = duty.motor.peak_torque;

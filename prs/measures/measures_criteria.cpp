@@ -49,26 +49,30 @@ void take_static_limits(const MeasuresResult& r, const JudgedCase& of, FoundCrit
   }
 }
 
-std::optional<InSeries> in_series(const MeasuresResult& r, const JudgedCase& of, std::size_t k) {
-  if (const auto& m = r.load_measures[k]; m && m->system_stiffness) {
-    const auto& mechanism = m->system_stiffness->contributions.mechanism;
-    return InSeries{"Stiffness of the axis",
-                    1.0 / m->system_stiffness->total - (mechanism ? 1.0 / mechanism->stiffness : 0.0)};
-  }
-  const auto compliance = [](const std::optional<double>& stiffness) { return stiffness ? 1.0 / *stiffness : 0.0; };
-  const double shaft = compliance(r.measures.shaft_stiffness),
-               bearing = of.c.bearings ? compliance(of.c.bearings->fixed.stiffness) : 0.0;
-  if (shaft + bearing == 0.0) return std::nullopt;
-  return InSeries{bearing == 0.0 ? "Stiffness with the shaft"
-                  : shaft > 0.0  ? "Stiffness with shaft and bearing"
-                                 : "Stiffness with the bearing",
-                  shaft + bearing};
-}
-
 }  // namespace
 
+InSeriesOf in_series_of(const MeasuresResult& r, const JudgedCase& of) {
+  return [&r, &of](const LoadCase& load) -> std::optional<InSeries> {
+    const auto k = static_cast<std::size_t>(std::ranges::find(of.c.load_cases, load.name, &LoadCase::name) -
+                                            of.c.load_cases.begin());
+    if (const auto& m = r.load_measures[k]; m && m->system_stiffness) {
+      const auto& mechanism = m->system_stiffness->contributions.mechanism;
+      return InSeries{"Stiffness of the axis",
+                      1.0 / m->system_stiffness->total - (mechanism ? 1.0 / mechanism->stiffness : 0.0)};
+    }
+    const auto compliance = [](const std::optional<double>& stiffness) { return stiffness ? 1.0 / *stiffness : 0.0; };
+    const double shaft = compliance(r.measures.shaft_stiffness),
+                 bearing = of.c.bearings ? compliance(of.c.bearings->fixed.stiffness) : 0.0;
+    if (shaft + bearing == 0.0) return std::nullopt;
+    return InSeries{bearing == 0.0 ? "Stiffness with the shaft"
+                    : shaft > 0.0  ? "Stiffness with shaft and bearing"
+                                   : "Stiffness with the bearing",
+                    shaft + bearing};
+  };
+}
+
 std::vector<FoundCriterion> measures_criteria(const MeasuresResult& r, const JudgedCase& of) {
-  std::vector<FoundCriterion> all = load_criteria(r.analysis, of, [&](std::size_t k) { return in_series(r, of, k); });
+  std::vector<FoundCriterion> all = load_criteria(r.analysis, of, in_series_of(r, of));
   FoundCriterion safety("static_safety"), edge("flank_edge");
   take_static_limits(r, of, safety, edge);
   const bool lacks = lacks_shaft(of.c);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "prs/model/criterion.h"
 #include "prs/model/limits.h"
 #include "prs/model/motor_duty.h"
 #include "prs/model/quantity_text.h"
@@ -154,11 +155,15 @@ std::string wrong_length(const std::optional<int>& cycles, std::size_t steps) {
 }
 
 std::string wrong_start(const std::optional<PerPart<double>>& start, const Limits& limits) {
-  if (!start || !limits.temperature) return {};
-  const double hottest = std::max({start->screw, start->roller, start->nut});
-  if (hottest < *limits.temperature) return {};
-  return fmt::format("got {}; expected less than `limits.temperature`, {}; start cooler, or raise the limit",
-                     celsius(hottest), celsius(*limits.temperature));
+  if (!start) return {};
+  const CriterionRow& row = *CriterionKey("temperature").row;
+  const double hottest = std::max({start->screw, start->roller, start->nut}), physical = *row.physical + row.zero;
+  const bool is_stated = limits.temperature && *limits.temperature <= physical;
+  const double most = is_stated ? *limits.temperature : physical;
+  if (hottest < most) return {};
+  return fmt::format("got {}; expected less than {}, {}; start cooler{}", celsius(hottest),
+                     is_stated ? "`limits.temperature`" : "where bearing steel turns into austenite", celsius(most),
+                     is_stated ? ", or raise the limit" : "");
 }
 
 std::vector<Problem> check_limits(const Limits& limits, const Conditions& c) {

@@ -124,7 +124,8 @@ std::optional<PreloadedLoads> loads_under_preload(const Case& c, const Contacts&
   return found.forces.empty() ? std::nullopt : std::optional(std::move(found));
 }
 
-std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded) {
+std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded, const JudgedCase& of,
+                                               const MeasuresResult* measures) {
   FoundCriterion safety("static_safety"), edge("flank_edge");
   for (const auto k : indices(preloaded.forces)) {
     const auto& [rating, edge_load] = preloaded.forces[k];
@@ -133,7 +134,11 @@ std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded) 
       safety.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", at rest under preload");
     if (edge_load) edge.take(*edge_load / load.axial_force, load.name, "at rest under preload");
   }
+  const bool is_play = of.c.preload->backlash.has_value();
   return {pressure_criterion(preloaded.loads), safety, edge,
+          is_play
+              ? FoundCriterion("stiffness")
+              : stiffness_criterion(preloaded.loads, of, measures ? in_series_of(*measures, of) : InSeriesOf{}, true),
           convergence(failed_cases(preloaded.loads, "thread loads under preload",
                                    [](const LoadCaseResult& r) { return r.converged(); }))};
 }

@@ -21,7 +21,9 @@ struct PreloadedLoads {
 };
 /// Throws CaseError where the preload cannot be had.
 std::optional<PreloadedLoads> loads_under_preload(const Case& c, const Contacts& contacts, const Result* slip);
-std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded);
+/// Criteria under preload; `measures` has what is in series with the mechanism, if it is known.
+std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded, const JudgedCase& of,
+                                               const MeasuresResult* measures);
 
 /// The buckling load that `measures` finds over the largest compression of load cases, `life` and `response`;
 /// `is_unknown`: the last was not computed.

@@ -202,7 +202,7 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
   }
   if (const std::string* const why = c.preload ? evidence.why_not(Command::preload) : nullptr)
     evidence.add(Command::solve, {convergence(fmt::format("preload ({})", *why))});
-  if (preloaded) evidence.add(Command::preload, preloaded_criteria(*preloaded));
+  if (preloaded) evidence.add(Command::preload, preloaded_criteria(*preloaded, of, measures));
   for (const Attempt& attempt : attempts)
     if (attempt.delivery && attempt.delivery->criteria && !attempt.delivery->result<MeasuresResult>() &&
         attempt.command != Command::solve && attempt.command != Command::contact)

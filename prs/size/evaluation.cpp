@@ -17,6 +17,7 @@ constexpr double kOilsMean = 20.0;      ///< Smallest difference of the oil's te
 constexpr double kGreaseEnds = 393.15;  ///< Temperature beyond which grease and seals do not last [K].
 constexpr double kLongCycle = 600.0;    ///< Shortest cycle whose mean may hide a peak of temperature [s].
 constexpr double kRegularLoad = 0.9;    ///< Share of C_a beyond which makers allow loads only occasionally.
+constexpr double kMostPreload = 0.5;    ///< Share of C_a beyond which a preload is reported.
 constexpr double kShortStroke = 1.5;    ///< Short stroke, as a share of the nut's length.
 constexpr std::size_t kCurvePoints = 40;
 
@@ -154,10 +155,18 @@ class Evaluation {
     sized_.c.heat = heat_of_cycle(in_, sized_, c_.conductance);
     c_.mission = duty_cycle(sized_.c, contacts_, mission_warnings_, nullptr, nullptr, r_.limits.temperature);
     const double ambient = r_.heat->ambient;
-    sized_.c.deviations.temperature =
-        c_.mission->converged() ? c_.mission->mean : PerPart<double>{ambient, ambient, ambient};
-    c_.parts_at = sized_.c.deviations.temperature;
-    oils_ = warm_oils(sized_.c, oil_temperatures(of_parts(*c_.parts_at)));
+    const PerPart<double> of_ambient{ambient, ambient, ambient};
+    if (c_.mission->converged() && r_.friction->facts().has_film()) {
+      take_temperatures(c_.mission->start.value_or(of_ambient));
+      find_branches();
+      at_start_ = demand();
+    }
+    take_temperatures(c_.mission->converged() ? c_.mission->mean : of_ambient);
+  }
+
+  void take_temperatures(const PerPart<double>& parts) {
+    c_.parts_at = sized_.c.deviations.temperature = parts;
+    oils_ = warm_oils(sized_.c, oil_temperatures(of_parts(parts)));
   }
 
   void find_branches() {
@@ -263,6 +272,19 @@ class Evaluation {
 
   bool locks() const { return c_.self_locking.value_or(false); }
 
+  /// Demand on the motor with the losses of the branches; none if one has no torque.
+  std::optional<MotorDemand> demand() const {
+    if (!c_.inertia) return std::nullopt;
+    std::vector<DrivenStep> steps;
+    for (const MotionSegment& m : cycle_.all) {
+      const Branch& b = branches_[m.shown_as];
+      if (!b.torque && m.sense() != 0) return std::nullopt;
+      const double own = m.force == 0.0 ? 1.0 : std::abs(m.force / cycle_.shown[m.shown_as].force);
+      steps.push_back({motor_step(m), b.driven_by ? *b.torque * own : 0.0});
+    }
+    return motor_demand(steps, r_.motor, lead_, *c_.inertia, sized_.drag_torque, r_.brake_torque || locks());
+  }
+
   void find_torques() {
     const DriveMotor& motor = r_.motor;
     const double ratio = motor.gear_ratio;
@@ -277,23 +299,16 @@ class Evaluation {
           (sized_.drag_torque + c_.no_load_torque.value_or(0.0)) * per_speed / *c_.back_driving_efficiency;
     if (!c_.inertia) return;
     c_.reflected_mass = (*c_.inertia + ratio * ratio * motor.inertia) * per_speed * per_speed;
-    std::vector<DrivenStep> steps;
-    for (const MotionSegment& m : cycle_.all) {
-      const MotorDuty::Step step = motor_step(m);
-      const Branch& b = branches_[m.shown_as];
-      if (!b.torque && m.sense() != 0) return;
-      const double own = m.force == 0.0 ? 1.0 : std::abs(m.force / cycle_.shown[m.shown_as].force);
-      steps.push_back({step, b.driven_by ? *b.torque * own : 0.0});
-    }
-    const MotorDemand demand =
-        motor_demand(steps, motor, lead_, *c_.inertia, sized_.drag_torque, r_.brake_torque || locks());
-    for (std::size_t k = 0; !cycle_.in_classes && k < steps.size(); ++k) c_.segments[k].motor_torque = demand.torque[k];
-    c_.motor_rms_torque = demand.rms_torque;
-    c_.motor_peak_torque = demand.peak_torque;
-    c_.motor_peak_power = demand.peak_power;
-    c_.regenerated_mean = demand.regenerated_mean;
-    c_.regenerated_peak = demand.regenerated_peak;
-    c_.electric = demand.electric;
+    const std::optional<MotorDemand> found = demand();
+    if (!found) return;
+    for (std::size_t k = 0; !cycle_.in_classes && k < found->torque.size(); ++k)
+      c_.segments[k].motor_torque = found->torque[k];
+    c_.motor_rms_torque = found->rms_torque;
+    c_.motor_peak_torque = found->peak_torque;
+    c_.motor_peak_power = found->peak_power;
+    c_.regenerated_mean = found->regenerated_mean;
+    c_.regenerated_peak = found->regenerated_peak;
+    c_.electric = found->electric;
   }
 
   void find_relubrication() {
@@ -395,8 +410,8 @@ class Evaluation {
                     : "slip has no equilibrium at the temperatures of its losses"},
         r_.heat ? coolest() - kKelvin : 0.0);
     at_most("motor_speed", "rpm", {c_.motor_largest_speed, m.largest_speed, rests});
-    at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency});
-    at_most("motor_peak_torque", "N m", {c_.motor_peak_torque, m.peak_torque, "", no_efficiency});
+    at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency, at_mean()});
+    at_most("motor_peak_torque", "N m", {c_.motor_peak_torque, m.peak_torque, "", no_efficiency, at_mean()});
     judge_current(no_efficiency);
     if (r_.brake_torque)
       at_least("brake", "",
@@ -410,6 +425,8 @@ class Evaluation {
     decide();
   }
 
+  std::string at_mean() const { return c_.mission ? "at the mean temperatures of the mission" : ""; }
+
   void judge_current(std::string_view why_not) {
     const DriveMotor& m = r_.motor;
     const ElectricDemand e = c_.electric.value_or(ElectricDemand{});
@@ -419,8 +436,8 @@ class Evaluation {
              e.voltage_speed ? fmt::format("under the largest torque the voltage ends at {:.0f} rpm of the motor",
                                            *e.voltage_speed * "rpm"_per_si)
                              : ""});
-    at_most("motor_current", "A", {known(e.peak_current), m.supply.current, "", why_not});
-    at_most("motor_rms_current", "A", {known(e.rms_current), m.continuous_current, "", why_not});
+    at_most("motor_current", "A", {known(e.peak_current), m.supply.current, "", why_not, at_mean()});
+    at_most("motor_rms_current", "A", {known(e.rms_current), m.continuous_current, "", why_not, at_mean()});
   }
 
   /// Limit of the temperature: the stated one, or the physical one where parts pass it.
@@ -469,6 +486,11 @@ class Evaluation {
                             "for it",
                             "take a larger screw"}
                         .with(*cycle_.mean_load, 0.5 * capacity(), "kN"_unit));
+    if (c_.preload_force > kMostPreload * capacity())
+      all.push_back(Warning{"preload", "large_preload",
+                            "the preload, {value}, is beyond half of C_a, {limit}; makers take 3 to 10 % of C_a",
+                            "check the unit, or take a larger screw"}
+                        .with(*c_.preload_force, kMostPreload * capacity(), "kN"_unit));
     if (by_maker() && r_.preload)
       all.push_back({"life.basis", "maker_without_preload", "the formulas of catalogues have the life without preload",
                      "write `basis: threads`, which has the loads of both flanks"});
@@ -501,6 +523,14 @@ class Evaluation {
 
   void warn_of_heat() {
     c_.warnings.insert(c_.warnings.end(), mission_warnings_.begin(), mission_warnings_.end());
+    constexpr double kTold = 1.01;  // Ratio of torques above which a start is reported.
+    if (at_start_ && c_.motor_peak_torque && at_start_->peak_torque > kTold * *c_.motor_peak_torque)
+      c_.warnings.push_back(
+          Warning{"motor", "start_of_mission",
+                  "at the temperatures of the mission's start the motor's largest torque is {value}; the criteria take "
+                  "those at its mean temperatures, {limit}",
+                  "leave room for the start"}
+              .with(at_start_->peak_torque, *c_.motor_peak_torque, "N m"_unit));
     if (!c_.temperature) return;
     std::vector<Warning>& all = c_.warnings;
     const Requirement::Conductance& k = r_.heat->conductance;
@@ -539,7 +569,8 @@ class Evaluation {
   const MotionCycle& cycle_;
   SizedCase sized_;
   Contacts contacts_;
-  std::optional<Oils> oils_;  ///< Oils of a mission.
+  std::optional<Oils> oils_;             ///< Oils of a mission.
+  std::optional<MotorDemand> at_start_;  ///< Demand at the temperatures of its start.
   std::vector<Warning> mission_warnings_;
   double lead_ = 0.0;    ///< |l| [m]
   double rating_ = 1.0;  ///< a1 a_ISO

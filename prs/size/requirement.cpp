@@ -181,7 +181,7 @@ void fields(const Fields& io, Requirement::Motion& m, bool is_lever) {
   io("start_speed", m.start_speed, speed_of(is_lever), optional_only_if(m.segments.has_value(), "with `segments`"),
      "Before the first segment");
   io("start_angle", m.start_angle, Quantity{unit::angle, unbounded, "60 deg"},
-     required_only_if(is_lever && m.segments.has_value(), "only with `linkage` and `segments`"),
+     required_only_if(is_lever && m.segments.has_value(), "only with `segments` and `linkage`"),
      "Of the lever before the first segment, between base and arm");
   io("period", m.period, Quantity{unit::duration, positive}, optional_only_if(m.loads.has_value(), "with `loads`"),
      "Of the cycle; scales numbers per cycle");
@@ -253,7 +253,7 @@ void fields(const Fields& io, Requirement::Catalogue& c) {
 
 void fields(const Fields& io, Requirement::Designs& d) {
   const Quantity length{unit::length, positive, "30 mm"};
-  const Number starts{{.least = 2.0, .greatest = 100.0}, "5"};
+  const Number starts{{.least = 1.0, .greatest = 100.0}, "5"};
   io("type", d.type, OneOrList{Choice{}}, "standard by default");
   io("screw_diameter", d.screw_diameter, OneListOrRange{length}, required, "Nominal");
   io("lead", d.lead, OneListOrRange{Quantity{unit::length, not_zero, "10 mm"}}, required, "< 0 left-handed");
@@ -278,7 +278,7 @@ void fields(const Fields& io, Requirement& r) {
   io("motor", r.motor, Block{}, "Without a limit there is no criterion");
   io("brake", r.brake_torque, Keys{[&](const Fields& brake) {
        brake("torque", *r.brake_torque, Quantity{unit::torque, positive, "4 N m"}, required, "At the motor's shaft");
-       brake("safety", r.brake_safety, Number{positive, "1.5"}, "Least torque over the holding torque");
+       brake("safety", r.brake_safety, Number{{.least = 1.0}, "1.5"}, "Least torque over the holding torque");
      }},
      "Holds the axis at rest");
   io("preload", r.preload, Keys{[&](const Fields& of) {
@@ -383,7 +383,8 @@ class Checker {
                "expected different names; rename one",
                shown(s.name));
     }
-    if (const std::string wrong = wrong_length(r_.heat ? r_.heat->cycles : std::nullopt, cycle.shown.size());
+    if (const std::string wrong = wrong_length(r_.heat ? r_.heat->cycles : std::nullopt,
+                                               cycle.in_classes ? 2 * cycle.shown.size() : cycle.shown.size());
         !wrong.empty())
       refuse("heat.cycles", "{}", wrong);
     if (cycle.largest_force == 0.0)
@@ -471,11 +472,17 @@ void check_blocks(const Requirement& r, const Node& root, ErrorList& errors) {
   c.carrier = r.carrier;
   c.bearings = r.bearings;
   c.operation = Operation{.speed = 1.0};
-  if (r.has_mission()) {
-    c.lubricant->temperature.reset();
-    c.heat =
-        Heat{.ambient = r.heat->ambient, .conductance = {.nut_ambient = 1.0, .screw_rollers = 1.0, .rollers_nut = 1.0}};
+  if (r.heat) {
+    const Requirement::Conductance& k = r.heat->conductance;
+    c.heat = Heat{
+        .ambient = r.heat->ambient,
+        .conductance = {k.screw_ambient.value_or(1.0), k.nut_ambient.value_or(1.0), k.rollers_ambient.value_or(0.0),
+                        k.screw_rollers.value_or(1.0), k.rollers_nut.value_or(1.0)}};
     c.heat->start = r.heat->start;
+    if (r.has_mission())
+      c.lubricant->temperature.reset();
+    else
+      c.heat->losses = Heat::Losses::stated;
   }
   for (const Problem& p : problems_of(c, Command::slip)) refuse(root, p.path, p.message, errors);
 }
@@ -721,7 +728,7 @@ nlohmann::ordered_json requirement_schema() {
   nlohmann::ordered_json along = schema(r), lever = schema(of_lever);
   for (const char* const speed : {"start_speed", "segments/items/properties/end_speed"}) {
     const Pointer place(fmt::format("/properties/motion/properties/{}", speed));
-    along[place] = {{"description", along[place]["description"]}, {"oneOf", {along[place], lever[place]}}};
+    along[place] = {{"description", along[place]["x-meaning"]}, {"oneOf", {along[place], lever[place]}}};
   }
   return along;
 }

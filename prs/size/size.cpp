@@ -129,23 +129,24 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
   result.warnings = in.warnings;
   const std::vector<CandidateData> data = candidates_of(in, result.warnings);
   result.candidates.reserve(data.size());
-  run_in_order((data.size() + kChunk - 1) / kChunk, options.threads == 0 ? default_threads() : options.threads,
-               [&](std::size_t chunk) -> std::function<void()> {
-                 const std::size_t first = chunk * kChunk, last = std::min(first + kChunk, data.size());
-                 std::vector<SizedCandidate> done;
-                 std::vector<InvalidCandidate> invalid;
-                 for (std::size_t k = first; k < last; ++k) try {
-                     done.push_back(evaluated(result.input, data[k]));
-                     done.back().order = k;
-                   } catch (const CaseError& error) {
-                     invalid.push_back({data[k], error.problem().text()});
-                   }
-                 return [&, last, done = std::move(done), invalid = std::move(invalid)]() mutable {
-                   std::ranges::move(done, std::back_inserter(result.candidates));
-                   std::ranges::move(invalid, std::back_inserter(result.invalid));
-                   if (options.progress) options.progress(last, data.size());
-                 };
-               });
+  const std::size_t threads = options.threads == 0 ? default_threads() : options.threads;
+  const std::size_t at_once = data.size() < threads * kChunk ? 1 : kChunk;
+  run_in_order((data.size() + at_once - 1) / at_once, threads, [&](std::size_t chunk) -> std::function<void()> {
+    const std::size_t first = chunk * at_once, last = std::min(first + at_once, data.size());
+    std::vector<SizedCandidate> done;
+    std::vector<InvalidCandidate> invalid;
+    for (std::size_t k = first; k < last; ++k) try {
+        done.push_back(evaluated(result.input, data[k]));
+        done.back().order = k;
+      } catch (const CaseError& error) {
+        invalid.push_back({data[k], error.problem().text()});
+      }
+    return [&, last, done = std::move(done), invalid = std::move(invalid)]() mutable {
+      std::ranges::move(done, std::back_inserter(result.candidates));
+      std::ranges::move(invalid, std::back_inserter(result.invalid));
+      if (options.progress) options.progress(last, data.size());
+    };
+  });
   if (result.candidates.empty())
     input::fail_at(in.source, "candidates",
                    "got no screw that can be made, of {}; the first, {}: {}; change diameters, "
@@ -541,6 +542,50 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   return sized;
 }
 
+namespace {
+
+/// A time in which segments of one class act.
+struct ClassStep {
+  std::size_t shown = 0;
+  double duration = 0.0, acts = 0.0;  ///< Time, and that in which the mean force does the work of the segments [s].
+};
+
+/// The shown segments one after the other. In a mission classes act in the order of their segments: those of a window
+/// of time are one step, a short window for few steps.
+std::vector<ClassStep> steps_of_cycle(const SizeInput& in) {
+  constexpr int kMost = 2000, kMostInAll = 50'000;
+  const MotionCycle& cycle = in.cycle;
+  const bool in_order = cycle.in_classes && in.values.has_mission();
+  const int most = in_order ? std::min(kMost, kMostInAll / *in.values.heat->cycles) : 1;
+  std::vector<ClassStep> steps;
+  for (double window = cycle.duration / most;; window *= 2.0) {
+    steps.clear();
+    double at = 0.0, end = 0.0;
+    std::ptrdiff_t first = 0;
+    for (const MotionSegment& s : cycle.all) {
+      if (at >= end) first = std::ssize(steps), end = at + window;
+      auto step = std::ranges::find(steps.begin() + first, steps.end(), s.shown_as, &ClassStep::shown);
+      if (step == steps.end()) step = steps.insert(step, {s.shown_as});
+      const MotionSegment& of = cycle.shown[s.shown_as];
+      step->duration += s.duration;
+      step->acts += cycle.in_classes && of.work() > 0.0 ? of.duration * s.work() / of.work() : s.duration;
+      at += s.duration;
+    }
+    if (std::ssize(steps) <= most || window >= cycle.duration) break;
+  }
+  // Work beyond the mean force of a step is done in later steps of its class, the remainder in earlier ones.
+  std::vector<double> left(cycle.shown.size(), 0.0);
+  for (int pass = 0; pass < 2; ++pass, std::ranges::reverse(steps))
+    for (ClassStep& step : steps) {
+      double& wanted = left[step.shown] += step.acts;
+      step.acts = std::min(step.duration, wanted);
+      wanted -= step.acts;
+    }
+  return steps;
+}
+
+}  // namespace
+
 Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& k) {
   constexpr double kSpecificHeat = 460.0;  // Steel [J/(kg K)].
   const Requirement::Surroundings surroundings = in.values.heat.value_or(Requirement::Surroundings{});
@@ -552,18 +597,20 @@ Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Cond
   } else {
     heat.losses = Heat::Losses::stated;
   }
-  std::vector<double> work(in.cycle.shown.size(), 0.0);
-  for (const MotionSegment& s : in.cycle.all) work[s.shown_as] += s.work();
-  const auto rest = [&](double time) { heat.duty.push_back({.load_case = {}, .duration = {}, .rest = time}); };
-  for (std::size_t j = 0; j < in.cycle.shown.size(); ++j) {
-    const MotionSegment& s = in.cycle.shown[j];
-    if (!sized.load_case_of[j]) {
-      rest(s.duration);
+  const auto rest = [&](double time) {
+    if (!heat.duty.empty() && heat.duty.back().rest && in.cycle.in_classes)
+      *heat.duty.back().rest += time;
+    else
+      heat.duty.push_back({.load_case = {}, .duration = {}, .rest = time});
+  };
+  for (const ClassStep& step : steps_of_cycle(in)) {
+    const MotionSegment& s = in.cycle.shown[step.shown];
+    if (!sized.load_case_of[step.shown]) {
+      rest(step.duration);
       continue;
     }
-    const double acts = in.cycle.in_classes && s.force != 0.0 ? s.duration * work[j] / s.work() : s.duration;
-    heat.duty.push_back({.load_case = s.name, .duration = acts, .rest = {}});
-    if (s.duration - acts > kAlike * s.duration) rest(s.duration - acts);
+    if (step.acts > 0.0) heat.duty.push_back({.load_case = s.name, .duration = step.acts, .rest = {}});
+    if (step.duration - step.acts > kAlike * step.duration) rest(step.duration - step.acts);
   }
   return heat;
 }

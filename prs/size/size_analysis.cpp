@@ -506,6 +506,28 @@ Figures mission(const SizeResult& r) {
   return {};
 }
 
+/// Ratio and reflected mass of a lever over its angle.
+Figures lever(const SizeResult& r) {
+  const std::optional<LeverMotion> motion = lever_of(r.input);
+  if (!motion) return {};
+  constexpr double kDegrees = "deg"_per_si, kSteps = 90.0;
+  Figure figure{"size_lever", "Lever"};
+  figure.x = {"Angle between base and arm", "deg", kDegrees * motion->angles[0], kDegrees * motion->angles[1]};
+  figure.columns = 2;
+  for (const bool is_mass : {false, true}) {
+    if (is_mass && motion->inertia == 0.0) continue;
+    Series line{figure.add(line_of(is_mass ? Colour::vermillion : Colour::blue))};
+    for (double k = 0.0; k <= kSteps; ++k) {
+      const PrsLever at = motion->at(k / kSteps);
+      line.add(kDegrees * at.angle, is_mass ? motion->reflected_mass(at) : "mm/rad"_per_si * at.ratio);
+    }
+    Panel& panel = figure.panels.emplace_back();
+    panel.series = {std::move(line)};
+    panel.y = fitted(is_mass ? Axis{"Reflected mass", "kg"} : Axis{"Ratio", "mm/rad"}, range_of_y(panel.series));
+  }
+  return {std::move(figure)};
+}
+
 /// Margins of the first candidates, criterion by criterion; below 1 a criterion fails.
 Figures margins(const SizeResult& r) {
   Figure figure{"size_margins", "Margins"};
@@ -547,7 +569,8 @@ Pictures size_pictures(const SizeResult& r) {
   return {{"size_map", "candidates", of_result(r, map)},
           {"size_curve", "a mean load and a limit of speed", of_result(r, curve)},
           {"size_margins", "criteria with margins", of_result(r, margins)},
-          {"size_mission", "a mission", of_result(r, mission)}};
+          {"size_mission", "a mission", of_result(r, mission)},
+          {"size_lever", "a lever", of_result(r, lever)}};
 }
 
 namespace {
@@ -704,6 +727,7 @@ constexpr std::pair<std::string_view, std::string_view> kRestsOn[] = {
     {"motor_peak_torque", "friction"},
     {"temperature", "friction"},
     {"temperature", "heat.ambient"},
+    {"temperature", "motion.period"},
     {"brake", "brake.safety"},
 };
 

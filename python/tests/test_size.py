@@ -68,3 +68,54 @@ def test_requirements_hold_to_their_schema(program: Run) -> None:
     along = {"duration": "0.2 s", "end_speed": "300 mm/s", "force": "8 kN"}
     schema.validate({"motion": {"segments": [along]}})  # One kind of speed, not both.
     assert not schema.is_valid({"motion": {"segments": [{**along, "end_speed": "300 mm"}]}})
+
+
+#: A lever in every form in which a requirement may state it.
+LEVER = {"linkage": {"base": "500 mm", "arm": "300 mm"}}
+TURNS = {"duration": "1 s", "end_speed": "30 deg/s", "torque": "600 N m"}
+BY_SEGMENTS = {**LEVER, "motion": {"start_angle": "40 deg", "segments": [TURNS]}}
+BY_HISTORY = {
+    **LEVER,
+    "motion": {
+        "history": {
+            "file": "lever.csv",
+            "time": {"unit": "s"},
+            "angle": {"unit": "deg"},
+            "torque": {"unit": "N m", "column": "M"},
+        }
+    },
+}
+
+
+def turning(**changes: str) -> dict:
+    """The lever by segments, one of them changed."""
+    return {**BY_SEGMENTS, "motion": {"start_angle": "40 deg", "segments": [{**TURNS, **changes}]}}
+
+
+@pytest.mark.parametrize(
+    ("requirement", "is_right"),
+    [
+        (BY_SEGMENTS, True),
+        (BY_HISTORY, True),
+        (turning(end_speed="5 rpm"), True),
+        (turning(end_speed="0.5 rad/s"), True),
+        ({**BY_SEGMENTS, "load": {"inertia": "20 kg m^2", "resistance": "50 N"}}, True),
+        ({**BY_SEGMENTS, "motion": {**BY_SEGMENTS["motion"], "start_speed": "3 deg/s"}}, True),
+        (turning(end_speed="30 deg"), False),
+        (turning(torque="600 N"), False),
+        (turning(torque="nan N m"), False),
+        (turning(duration="0 s"), False),
+        ({**BY_SEGMENTS, "linkage": {"base": "500 mm"}}, False),
+        ({**BY_SEGMENTS, "linkage": {"base": "0 mm", "arm": "300 mm"}}, False),
+        ({**BY_SEGMENTS, "linkage": {"base": "500 mm", "arm": "300 mm", "leg": "1 mm"}}, False),
+    ],
+)
+def test_levers_hold_to_the_schema_as_the_program_reads_them(
+    program: Run, tmp_path: Path, requirement: dict, is_right: bool
+) -> None:
+    schema = jsonschema.Draft202012Validator(json.loads(program("schema", "requirement").stdout))
+    assert schema.is_valid(requirement) is is_right
+    (tmp_path / "lever.csv").write_text("time,angle,M\n0,60,500\n1,70,500\n")
+    file = tmp_path / "need.yaml"
+    file.write_text(yaml.safe_dump(requirement))
+    assert program("check", file).returncode == (0 if is_right else 2)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "prs/page/page.h"
 #include "prs/run/commands.h"
@@ -138,6 +139,24 @@ TEST(Verdict, PressureIsThatUnderPreload) {
   const Json safety = criterion(v, "static_safety");
   EXPECT_EQ(safety["value"], 0.0);
   EXPECT_THAT(safety["reason"].get<std::string>(), HasSubstr("under preload"));
+}
+
+/// Force over the displacement from the unloaded state, of both flanks; the shaft in series where a limit stands.
+TEST(Verdict, StiffnessIsThatUnderPreload) {
+  const Overrides both{"preload.load={from: 6 kN, to: 7 kN, steps: 2}",
+                       "load_cases=[{name: pull, axial_force: 6 kN, direction: tension, position: 29.1666667 mm}]"};
+  const Json point = document(Command::preload, "12_preload.yaml", both)["preload"]["loads"][0];
+  const double secant = 6000.0 / point.at("axial_displacement_um").get<double>();
+  const Json c = criterion(verdict("12_preload.yaml", both), "stiffness");
+  EXPECT_NEAR(c["value"].get<double>() / secant, 1.0, 1e-9);
+  EXPECT_EQ(c["reason"], "largest force, at rest under preload");
+  Overrides with_shaft = both;
+  with_shaft.insert(with_shaft.end(),
+                    {"limits={stiffness: 100 N/um}", "measures={shaft: {length: 500 mm, ends: fixed_free}}"});
+  const double area = std::numbers::pi / 4.0 * (21.0 * 21.0 - 6.0 * 6.0), shaft = 209.0 * area / 500.0;
+  EXPECT_NEAR(criterion(verdict("12_preload.yaml", with_shaft), "stiffness")["value"].get<double>() *
+                  (1.0 / secant + 1.0 / shaft),
+              1.0, 1e-9);
 }
 
 /// Remainder of the limit under a strong preload: none, if the preload alone exceeds it.

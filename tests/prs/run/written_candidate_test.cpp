@@ -107,6 +107,31 @@ TEST(WrittenCandidate, HasTheMissionAndTheBearing) {
       "candidates: {designs: {screw_diameter: 40 mm, lead: 10 mm, starts: 5}}\n");
 }
 
+TEST(WrittenCandidate, HasTheStiffnessUnderPreload) {
+  expect_one_set_of_numbers(kPress + "limits: {stiffness: 80 N/um}\nlife: {hours: 50 h}\npreload: {share: 5 %}\n" +
+                            "model: {loads: static}\n"
+                            "candidates: {designs: {screw_diameter: 40 mm, lead: 10 mm, starts: 5}}\n");
+}
+
+TEST(WrittenCandidate, HasARecirculatingScrew) {
+  expect_one_set_of_numbers(
+      kPress + kMotor + "limits: {temperature: 80 degC, efficiency: 60 %, stiffness: 80 N/um}\nlife: {hours: 500 h}\n" +
+      "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}}\n"
+      "candidates: {designs: {type: recirculating, screw_diameter: 30 mm, lead: 4 mm}}\n");
+}
+
+TEST(WrittenCandidate, HasALever) {
+  expect_one_set_of_numbers(
+      "linkage: {base: 500 mm, arm: 300 mm}\n"
+      "motion:\n  start_angle: 60 deg\n  segments:\n"
+      "    - {duration: 0.5 s, end_speed: 20 deg/s, torque: 900 N m}\n"
+      "    - {duration: 0.5 s, end_speed: 0 deg/s, torque: 900 N m}\n"
+      "    - {duration: 0.5 s, end_speed: -20 deg/s, torque: 900 N m}\n"
+      "    - {duration: 0.5 s, end_speed: 0 deg/s, torque: 900 N m}\n"
+      "load: {inertia: 20 kg m^2}\nmodel: {loads: static}\n" +
+      kMotor + "candidates: {designs: {screw_diameter: 30 mm, lead: 10 mm, starts: 5}}\n");
+}
+
 TEST(WrittenCandidate, HasNoTemperatureWithoutHeat) {
   expect_one_set_of_numbers(kPress +
                             "limits: {temperature: 60 degC}\n"
@@ -119,7 +144,8 @@ TEST(WrittenCandidate, HasTheCapacitiesThatCatalogueFormulasTook) {
                             "candidates: {designs: {screw_diameter: 30 mm, lead: 10 mm}}\n");
 }
 
-TEST(WrittenCandidate, HasTheMotorOfAHistory) {
+/// A history, of more samples than have load cases of their own.
+void expect_one_set_of_a_history(const std::string& more_of_heat) {
   std::string csv = "time,speed,force\n";
   for (int k = 0; k <= 120; ++k)
     csv += fmt::format("{},{},{}\n", 0.02 * k, 100.0 * std::sin(0.05236 * k), 6.0 + 3.0 * std::cos(0.1 * k));
@@ -127,12 +153,16 @@ TEST(WrittenCandidate, HasTheMotorOfAHistory) {
       "need.yaml",
       "motion: {history: {file: cycle.csv, time: {unit: s}, speed: {unit: mm/s}, force: {unit: kN}}}\n"
       "candidates: {designs: {screw_diameter: 30 mm, lead: 10 mm, starts: 5}}\nlimits: {temperature: 80 degC}\n"
-      "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}}\n" +
-          kMotor,
+      "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}" +
+          more_of_heat + "}\n" + kMotor,
       {});
   source.files.emplace()["cycle.csv"] = csv;
   expect_one_set_of_numbers(source);
 }
+
+TEST(WrittenCandidate, HasTheMotorOfAHistory) { expect_one_set_of_a_history(""); }
+
+TEST(WrittenCandidate, HasTheMissionOfAHistory) { expect_one_set_of_a_history(", cycles: 20, start: 10 degC"); }
 
 /// Values that the requirement states have no mark, those left to defaults have one, and defaults of the case have no
 /// line.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "prs/heat/thermal_network.h"
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
@@ -548,6 +549,58 @@ TEST(Size, AMissionFromColdIsHeldAgainstItsPeak) {
   EXPECT_GT(*c.bearing_life.hours, 0.0);
 }
 
+// Coulomb's friction: each segment has the heat of its own force and speed, within 0.8 % for thermal expansion, and the
+// parts are a linear network, here integrated with small steps. Classes keep the order of their segments: one hard
+// stroke in eight, which one after the other would heat the screw twice as much.
+TEST(Size, AMissionOfManySegmentsKeepsTheirOrder) {
+  std::vector<std::array<double, 2>> segments;  // Force [N], speed [m/s].
+  std::string text = "motion:\n  period: 2000 s\n  loads:\n";
+  for (int k = 0; k < 200; ++k) {
+    segments.push_back(k % 8 == 0   ? std::array{15e3, 0.12}
+                       : k % 8 == 4 ? std::array{6e3, 0.11}
+                                    : std::array{3e3, 0.10});
+    text += fmt::format("    - {{force: {} N, speed: {} m/s, share: 0.5 %}}\n", segments.back()[0], segments.back()[1]);
+  }
+  const SizeResult r = sized(of_one(text + "heat: {ambient: 25 degC, cycles: 1, conductance: {screw_ambient: 2 W/K, "
+                                           "nut_ambient: 4 W/K, screw_rollers: 10 W/K, rollers_nut: 8 W/K}}\n"));
+  const SizedCandidate& c = r.candidates.front();
+  ASSERT_TRUE(r.input.cycle.in_classes);
+  ASSERT_TRUE(c.mission && c.mission->converged());
+
+  Case of_each = sized_case(r.input, c).c;
+  const Measures m = analyze_measures(of_each).measures;
+  const std::array capacity{460.0 * *m.screw_weight_per_length * c.nut_length, 460.0 * *m.roller_weight,
+                            460.0 * *m.nut_weight};
+  const LoadCase load = of_each.load_cases.front();
+  of_each.load_cases.clear();
+  for (const auto& [force, speed] : segments) {
+    of_each.load_cases.push_back(load);
+    of_each.load_cases.back().name = fmt::format("{}", of_each.load_cases.size());
+    of_each.load_cases.back().axial_force = force;
+    of_each.load_cases.back().speed = std::copysign(2.0 * std::numbers::pi * speed / 0.01, *load.speed);
+  }
+  std::array rise{0.0, 0.0, 0.0}, peak = rise;
+  double lost = 0.0;
+  for (const LoadCaseResult& each : analyze_slip(of_each).load_cases) {
+    const OfParts heat = heat_of(each.slip->power);
+    lost += 10.0 * heat.sum();
+    constexpr int kSteps = 2000;
+    for (int step = 0; step < kSteps; ++step) {
+      const double to_rollers = 10.0 * (rise[0] - rise[1]), to_nut = 8.0 * (rise[1] - rise[2]), dt = 10.0 / kSteps;
+      rise[0] += dt * (heat[0] - to_rollers - 2.0 * rise[0]) / capacity[0];
+      rise[1] += dt * (heat[1] + to_rollers - to_nut) / capacity[1];
+      rise[2] += dt * (heat[2] + to_nut - 4.0 * rise[2]) / capacity[2];
+      for (std::size_t part = 0; part < 3; ++part) peak[part] = std::max(peak[part], rise[part]);
+    }
+  }
+  constexpr double kExpansion = 8e-3;
+  expect_near_relative(c.mission->energy_lost, lost, kExpansion);
+  const PerPart<double>& found = c.mission->peak;
+  EXPECT_NEAR(found.screw - 298.15, peak[0], kExpansion * peak[0]);
+  EXPECT_NEAR(found.roller - 298.15, peak[1], kExpansion * peak[1]);
+  EXPECT_NEAR(found.nut - 298.15, peak[2], kExpansion * peak[2]);
+}
+
 TEST(Size, TemperaturesAreNotKnownWithoutHeat) {
   const SizeResult r = sized(std::string(kPressing) + "limits: {temperature: 80 degC}\n");
   for (const SizedCandidate& c : r.candidates) {
@@ -811,6 +864,19 @@ TEST(SizePreload, IsThatOfAPreloadedNut) {
   expect_near_relative(*b.segments.front().efficiency, *slip.load_cases.front().slip->efficiency, 1e-9);
 }
 
+// The solved lever: 298.019780 mm/rad and 22.518519 kg at 60 deg.
+TEST(SizePictures, ALeverIsDrawnOverItsAngle) {
+  const SizeResult r = sized(
+      of_one("linkage: {base: 500 mm, arm: 300 mm}\nload: {inertia: 2 kg m^2}\n"
+             "motion: {start_angle: 60 deg, segments: [{duration: 1 s, end_speed: 20 deg/s, torque: 300 N m}]}\n"));
+  const Pictures all = size_pictures(r);
+  const Figures figures = std::ranges::find(all, "size_lever", &Picture::name)->make({});
+  const auto first = [&](std::size_t panel) { return figures.at(0).panels.at(panel).series.at(0).parts.at(0).at(0); };
+  EXPECT_NEAR(first(0)[0], 60.0, 1e-9);
+  EXPECT_NEAR(first(0)[1], 298.019780, 1e-6);
+  EXPECT_NEAR(first(1)[1], 22.518519, 1e-6);
+}
+
 struct Wrong {
   const char* text;
   const char* place;
@@ -850,11 +916,19 @@ INSTANTIATE_TEST_SUITE_P(
               "2:72", "R5 | R10 | R20 | R40"},
         Wrong{MOTION "stroke: 1 mm\n", "2:9", "4.5 mm"},
         Wrong{MOTION "motor: {rated_torque: 3 N m, peak_torque: 2 N m}\n", "2:43", "at least `rated_torque`"},
-        Wrong{MOTION "motor: {supply: {voltage: 48 V}}\n", "2:9", "only with `torque_constant`"},
+        Wrong{MOTION "motor: {supply: {voltage: 48 V}}\n", "2:9",
+              "only with `torque_constant`; write `torque_constant: 0.5 N m/A`, or delete it"},
         Wrong{MOTION "motor: {torque_constant: 0.5 N m/A, supply: {voltage: 48 V}}\n", "2:1",
               "motor.resistance: missing"},
         Wrong{MOTION "motor: {torque_constant: 0.5 N m}\n", "2:26", "mN m/A"},
-        Wrong{MOTION "brake: {torque: 4 N m, safety: 0}\n", "2:32", "> 0"},
+        Wrong{MOTION "brake: {torque: 4 N m, safety: 0.9}\n", "2:32", ">= 1"},
+        Wrong{MOTION "heat: {conductance: {screw_ambient: 0 W/K, nut_ambient: 0 W/K}}\n", "2:8",
+              "got no conductance to the surroundings"},
+        Wrong{MOTION "heat: {cycles: 2, start: 800 degC}\n", "2:26", "expected less than where bearing steel"},
+        Wrong{MOTION "heat: {start: 20 degC}\n", "2:8", "it stands with `cycles`; write `cycles: 3`, or delete it"},
+        Wrong{MOTION "bearings: {}\n", "2:1", "`fixed: {dynamic_capacity: 50 kN}`"},
+        Wrong{MOTION "bearings: {fixed: {static_capacity: 9 kN, exponent: 3}}\n", "2:43",
+              "only with `dynamic_capacity`; write `dynamic_capacity: 50 kN`"},
         Wrong{MOTION "preload: {share: 60 %}\n", "2:18", "<= 50 %"},
         Wrong{MOTION "preload: {share: 5 %, force: 2 kN}\n", "2:10", "exactly one of force, share"},
         Wrong{MOTION "linkage: {base: 500 mm, arm: 300 mm}\n", "1:48", "a rotational speed"},
