@@ -922,7 +922,7 @@ INSTANTIATE_TEST_SUITE_P(
               "motor.resistance: missing"},
         Wrong{MOTION "motor: {torque_constant: 0.5 N m}\n", "2:26", "mN m/A"},
         Wrong{MOTION "brake: {torque: 4 N m, safety: 0.9}\n", "2:32", ">= 1"},
-        Wrong{MOTION "heat: {conductance: {screw_ambient: 0 W/K, nut_ambient: 0 W/K}}\n", "2:8",
+        Wrong{MOTION "heat: {conductance: {screw_ambient: 0 W/K, nut_ambient: 0 W/K}}\n", "2:21",
               "got no conductance to the surroundings"},
         Wrong{MOTION "heat: {cycles: 2, start: 800 degC}\n", "2:26", "expected less than where bearing steel"},
         Wrong{MOTION "heat: {start: 20 degC}\n", "2:8", "it stands with `cycles`; write `cycles: 3`, or delete it"},
