@@ -3,9 +3,10 @@
 #include <map>
 #include <set>
 
+#include "prs/indices.h"
 #include "prs/input/force_history.h"
 #include "prs/loads/case_table.h"
-#include "prs/record/record_table.h"
+#include "prs/record/csv_rows.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -293,14 +294,10 @@ std::string conditions_text(const FitCurve& c, std::size_t row) {
 }
 
 std::string parameters_csv(const FitResult& r, const CsvStyle& style) {
-  CsvWriter csv(style);
-  scalar_header<FittedUnknown>(csv);
-  scalar_header<FitProfile>(csv, "profile_");
-  csv.end_row();
+  CsvRows csv(style);
   for (const FittedUnknown& p : unknowns_of(r)) {
-    const FitProfile profile{p};
-    scalar_fields<FittedUnknown>(csv, &p);
-    scalar_fields<FitProfile>(csv, &profile);
+    csv.record("", p);
+    csv.record("profile_", FitProfile{p});
     csv.end_row();
   }
   return csv.take();
@@ -310,15 +307,14 @@ std::string parameters_csv(const FitResult& r, const CsvStyle& style) {
 template <class Curve>
 std::string rows_csv(const std::vector<Curve>& curves, std::string_view curve, std::string_view row,
                      const CsvStyle& style) {
-  CsvWriter csv(style);
-  csv.fields(curve, row, "conditions", "unit");
-  series_header<Curve>(csv);
-  csv.end_row();
+  CsvRows csv(style);
   for (const Curve& c : curves)
-    for (std::size_t i = 0; i < c.curve().rows; ++i) {
-      csv.fields(c.curve().name, c.curve().lines.empty() ? i + 1 : c.curve().lines[i], conditions_text(c.curve(), i),
-                 c.curve().unit);
-      series_fields(csv, c, i);
+    for (const auto i : up_to(c.curve().rows)) {
+      csv(curve, c.curve().name);
+      csv(row, c.curve().lines.empty() ? i + 1 : c.curve().lines[i]);
+      csv("conditions", conditions_text(c.curve(), i));
+      csv("unit", c.curve().unit);
+      csv.series("", c, i);
       csv.end_row();
     }
   return csv.take();
@@ -363,7 +359,7 @@ std::string deviation_text(const FittedCurve& c) {
 
 using Cells = std::vector<std::string>;
 
-std::string cell(std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); }
+std::string cell(std::optional<double> v) { return digits(v, 5); }
 
 /// Label, value, deviation, ends of the interval, unit.
 Cells cells_of(const FittedUnknown& p) {

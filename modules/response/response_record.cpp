@@ -1,5 +1,7 @@
 #include "modules/response/response_analysis.h"
 
+#include "prs/record/csv_rows.h"
+
 namespace prs {
 namespace {
 
@@ -210,19 +212,16 @@ std::optional<LeverMotion> lever_motion(const ResponseInput& in, double lead) {
 
 std::string linkage_csv(const LeverMotion& motion, const CsvStyle& style) {
   constexpr int kSteps = 180;
-  CsvWriter csv(style);
-  csv.fields("angle_deg", "length_mm", "ratio_mm_per_rad", "reflected_mass_kg");
-  if (has_lead(motion)) csv.fields("gear_ratio", "reflected_inertia_kg_mm2");
-  csv.end_row();
+  CsvRows csv(style);
   for (int k = 0; k <= kSteps; ++k) {
     const PrsLever lever = motion.at(static_cast<double>(k) / kSteps);
-    csv.number(lever.angle, "deg"_per_si);
-    csv.number(lever.length, "mm"_per_si);
-    csv.number(lever.ratio, "mm/rad"_per_si);
-    csv.number(motion.reflected_mass(lever));
+    csv("angle_deg", lever.angle);
+    csv("length_mm", lever.length);
+    csv("ratio_mm_per_rad", lever.ratio);
+    csv("reflected_mass_kg", motion.reflected_mass(lever));
     if (has_lead(motion)) {
-      csv.number(motion.gear_ratio(lever));
-      csv.number(motion.inertia / std::pow(motion.gear_ratio(lever), 2), "kg mm²"_per_si);
+      csv("gear_ratio", motion.gear_ratio(lever));
+      csv("reflected_inertia_kg_mm2", motion.inertia / std::pow(motion.gear_ratio(lever), 2));
     }
     csv.end_row();
   }

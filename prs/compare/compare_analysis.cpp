@@ -6,6 +6,7 @@
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"
+#include "prs/record/csv_rows.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -181,24 +182,20 @@ std::string comparison_table(const ModelComparison& c) {
 }
 
 std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
-  CsvWriter csv(style);
-  load_header(csv);
-  csv.row("bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best", "axial_displacement_um",
-          "screw_most_loaded_thread", "screw_largest_load_rate_percent", "nut_most_loaded_thread",
-          "nut_largest_load_rate_percent", "largest_peak_pressure_MPa", "pressure_over_best");
+  CsvRows csv(style);
   for (const auto k : up_to(c.load_cases()))
     for (const auto model : indices(c.models)) {
       const ComparedModel m{&c, k, model};
-      const LoadCaseResult& r = m.result();
-      load_fields(csv, r.load_case);
-      csv.fields(m.model_name(), r.converged(), scaled(r.axial_stiffness, "N/µm"_per_si), stiffness_over_best(m),
-                 scaled(r.axial_displacement, "µm"_per_si));
+      csv.load_case(m.result().load_case);
+      csv.record("", m, "", "largest_peak_pressure_MPa");
       for (const Interface i : kInterfaces) {
-        const std::vector<double> shares = r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
-        csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
-        csv.number(entry_if_any(shares, index_of_largest(shares)), "%"_per_si);
+        const std::optional<MostLoaded> most = most_loaded(m, i);
+        const std::string prefix = fmt::format("{}_", name(i));
+        csv.record(prefix, most, "", "most_loaded_roller");
+        csv.record(prefix, most, "largest_load_rate_percent", "largest_peak_pressure_MPa");
       }
-      csv.row(scaled(largest_pressure(r), "MPa"_per_si), pressure_over_best(m));
+      csv.record("", m, "largest_peak_pressure_MPa");
+      csv.end_row();
     }
   return csv.take();
 }

@@ -5,7 +5,7 @@
 #include "prs/bodies/body_models.h"
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
-#include "prs/record/record_table.h"
+#include "prs/record/csv_rows.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -270,21 +270,16 @@ PageTable reference_page_table(const ModelComparison& c) {
 }
 
 std::string references_csv(const ModelComparison& c, const CsvStyle& style) {
-  CsvWriter csv(style);
-  csv.fields("name", "file", "load_case", "response", "unit", "along", "along_unit", "at", "reference",
-             "reference_deviation");
-  for (const Result& model : c.models) csv.text(name_of_model(model.model));
-  csv.end_row();
-  for (const ComparedReference& of : references_of(c)) {
-    const ReferenceCurve& r = of.reference();
-    for (const auto k : indices(r.readings)) {
-      const ReferenceReading& reading = r.readings[k];
-      csv.fields(r.name, r.file, r.load_case, r.response, r.unit, r.along, r.along_unit,
-                 r.along.empty() ? std::nullopt : std::optional(reading.along), reading.value, reading.deviation);
-      for (const ReferenceAnswer& answer : of.found().models) csv.number(answer.computed[k]);
+  CsvRows csv(style);
+  for (const ComparedReference& of : references_of(c))
+    for (const ComparedReading& reading : readings_of(of)) {
+      csv.record("", of, "", "count");
+      csv("at", of.reference().along.empty() ? std::nullopt : std::optional(reading.reading().along));
+      csv.record("", reading, "reference", "computed");
+      for (const auto m : indices(c.models))
+        csv(name_of_model(c.models[m].model), of.found().models[m].computed[reading.index]);
       csv.end_row();
     }
-  }
   return csv.take();
 }
 

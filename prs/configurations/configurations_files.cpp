@@ -2,9 +2,10 @@
 
 #include <fmt/ranges.h>
 
+#include "prs/indices.h"
 #include "prs/input/units.h"
 #include "prs/loads/load_record.h"
-#include "prs/record/record_table.h"
+#include "prs/record/csv_rows.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
 
@@ -229,40 +230,47 @@ std::string configurations_table(const ConfigurationQuery& query, const Configur
 }
 
 std::string configurations_csv(const Configurations& all, const CsvStyle& style) {
-  CsvWriter csv(style);
-  csv.row("number", "type", "screw_starts", "roller_starts", "pitch_mm", "screw_rolling_diameter_mm",
-          "roller_rolling_diameter_mm", "nut_rolling_diameter_mm", "screw_pitch_diameter_mm",
-          "roller_pitch_diameter_mm", "nut_pitch_diameter_mm", "centre_distance_mm", "gear_ratio", "lead_mm",
-          "roller_lead_mm", "screw_helix_angle_deg", "roller_helix_angle_deg", "nut_helix_angle_deg", "most_rollers",
-          "rollers", "crest_gap_mm", "indexing_angle_deg", "alike", "nut_outer_diameter_mm", "dynamic_capacity_kN",
-          "greatest_speed_rpm", "greatest_travel_mm_per_s");
-  constexpr double mm = "mm"_per_si, degree = "deg"_per_si;
-  for (std::size_t k = 0; k < all.found.size(); ++k) {
-    const Configuration& c = all.found[k];
+  CsvRows csv(style);
+  const auto add_row = [&](const Configuration& c, std::size_t k) {
     const Mechanism& m = c.mechanism;
-    csv.fields(k + 1, contact::facts_of(m.type).name, m.starts.screw, m.starts.roller, axial_pitch(m) * mm);
-    for (const auto* diameter : {&c.rolling_diameter, &c.pitch_diameter})
-      for (const Part p : kParts) csv.number((*diameter)[p], mm);
-    csv.fields(c.centre_distance * mm, c.gear_ratio, c.lead.screw * mm, c.lead.roller * mm);
-    for (const Part p : kParts) csv.number(c.helix_angle[p], degree);
-    csv.row(c.most_rollers, m.rollers, scaled(c.crest_gap, mm), scaled(indexing(m), degree),
-            fmt::format("{}", fmt::join(c.alike, " ")), c.outer_diameter * mm, c.dynamic_capacity * "kN"_per_si,
-            c.greatest_speed * "rpm"_per_si, travel_speed(c) * "mm/s"_per_si);
-  }
+    csv("number", k + 1);
+    csv("type", contact::facts_of(m.type).name);
+    csv("screw_starts", m.starts.screw);
+    csv("roller_starts", m.starts.roller);
+    csv("pitch_mm", axial_pitch(m));
+    for (const Part p : kParts) csv(fmt::format("{}_rolling_diameter_mm", name(p)), c.rolling_diameter[p]);
+    for (const Part p : kParts) csv(fmt::format("{}_pitch_diameter_mm", name(p)), c.pitch_diameter[p]);
+    csv("centre_distance_mm", c.centre_distance);
+    csv("gear_ratio", c.gear_ratio);
+    csv("lead_mm", c.lead.screw);
+    csv("roller_lead_mm", c.lead.roller);
+    for (const Part p : kParts) csv(fmt::format("{}_helix_angle_deg", name(p)), c.helix_angle[p]);
+    csv("most_rollers", c.most_rollers);
+    csv("rollers", m.rollers);
+    csv("crest_gap_mm", c.crest_gap);
+    csv("indexing_angle_deg", indexing(m));
+    csv("alike", fmt::format("{}", fmt::join(c.alike, " ")));
+    csv("nut_outer_diameter_mm", c.outer_diameter);
+    csv("dynamic_capacity_kN", c.dynamic_capacity);
+    csv("greatest_speed_rpm", c.greatest_speed);
+    csv("greatest_travel_mm_per_s", travel_speed(c));
+    csv.end_row();
+  };
+  for (const auto k : indices(all.found)) add_row(all.found[k], k);
   return csv.take();
 }
 
 std::string gear_pairs_csv(const Configurations& all, const CsvStyle& style) {
-  CsvWriter csv(style);
-  csv.text("number");
-  scalar_header<GearPair>(csv);
-  csv.end_row();
-  for (std::size_t k = 0; k < all.found.size(); ++k)
-    for (const GearPair& g : all.found[k].gears) {
-      csv.integer(k + 1);
-      scalar_fields<GearPair>(csv, &g);
-      csv.end_row();
-    }
+  CsvRows csv(style);
+  const auto add_row = [&](const GearPair& pair, std::size_t k) {
+    csv("number", k + 1);
+    csv.record("", pair);
+    csv.end_row();
+  };
+  add_row({}, 0);
+  csv.drop_rows();
+  for (const auto k : indices(all.found))
+    for (const GearPair& pair : all.found[k].gears) add_row(pair, k);
   return csv.take();
 }
 

@@ -7,6 +7,7 @@
 #include "prs/loads/load_criteria.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/csv_rows.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -72,38 +73,37 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
     return r.full && r.full->travel && r.full->travel->converged();
   };
   if (std::ranges::none_of(result.load_cases, has_travel)) return {};
-  CsvWriter positions(style), threads(style);
-  load_header(positions);
-  positions.fields("angle_deg", "deviation_um", "tangent_stiffness_N_per_um", "end_y_um", "end_z_um",
-                   "end_theta_y_mrad", "end_theta_z_mrad", "nut_x_N", "nut_y_N", "nut_z_N", "nut_moment_y_Nm",
-                   "nut_moment_z_Nm");
-  positions.end_row();
-  load_header(threads);
-  threads.fields("interface", "roller", "thread", "mean_normal_load_N", "ripple_normal_load_N");
-  threads.end_row();
+  CsvRows positions(style), threads(style);
   for (const LoadCaseResult& r : result.load_cases) {
     if (!has_travel(r)) continue;
     const TravelResult& t = *r.full->travel;
     const std::vector<double> deviation = t.deviation();
     for (const auto k : indices(t.angle)) {
-      load_fields(positions, r.load_case);
-      positions.number(t.angle[k], "deg"_per_si);
-      positions.number(deviation[k], "µm"_per_si);
-      positions.number(t.tangent_stiffness.empty() ? std::nullopt : std::optional(t.tangent_stiffness[k]), 1e-6);
-      for (const double value : {t.end_displacement[k].y, t.end_displacement[k].z})
-        positions.number(value, "µm"_per_si);
-      for (const double value : {t.end_rotation[k].y, t.end_rotation[k].z}) positions.number(value, 1e3);
-      for (const double value :
-           {t.nut.force[k][0], t.nut.force[k][1], t.nut.force[k][2], t.nut.moment[k].y, t.nut.moment[k].z})
-        positions.number(value);
+      positions.load_case(r.load_case);
+      positions("angle_deg", t.angle[k]);
+      positions("deviation_um", deviation[k]);
+      positions("tangent_stiffness_N_per_um", entry_if_any(t.tangent_stiffness, k));
+      positions("end_y_um", t.end_displacement[k].y);
+      positions("end_z_um", t.end_displacement[k].z);
+      positions("end_theta_y_mrad", t.end_rotation[k].y);
+      positions("end_theta_z_mrad", t.end_rotation[k].z);
+      positions("nut_x_N", t.nut.force[k][0]);
+      positions("nut_y_N", t.nut.force[k][1]);
+      positions("nut_z_N", t.nut.force[k][2]);
+      positions("nut_moment_y_Nm", t.nut.moment[k].y);
+      positions("nut_moment_z_Nm", t.nut.moment[k].z);
       positions.end_row();
     }
     for (const Interface i : kInterfaces)
       for (const auto j : indices(t.loads[i].mean))
         for (const auto k : indices(t.loads[i].mean[j])) {
-          load_fields(threads, r.load_case);
-          threads.row(name(i), j + 1, k + 1, std::optional(t.loads[i].mean[j][k]),
-                      std::optional(t.loads[i].ripple[j][k]));
+          threads.load_case(r.load_case);
+          threads("interface", name(i));
+          threads("roller", j + 1);
+          threads("thread", k + 1);
+          threads("mean_normal_load_N", t.loads[i].mean[j][k]);
+          threads("ripple_normal_load_N", t.loads[i].ripple[j][k]);
+          threads.end_row();
         }
   }
   return {{"travel.csv", positions.take()}, {"travel_loads.csv", threads.take()}};
@@ -193,69 +193,52 @@ std::string load_distribution_chart(const LoadCaseResult& result) {
          bar_chart(shares, 2, "%");
 }
 
-namespace {
-
-void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface i) {
-  const InterfaceLoads loads = result.threads ? (*result.threads)[i] : InterfaceLoads{};
-  const auto thread = index_of_largest(loads.load_rate);
-  const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
-  csv.fields(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt,
-             scaled(entry_if_any(loads.load_rate, thread), "%"_per_si),
-             scaled(entry_if_any(loads.peak_pressure, index_of_largest(loads.peak_pressure)), "MPa"_per_si));
-}
-
-}  // namespace
-
 std::string load_cases_csv(const Result& result, const CsvStyle& style) {
-  CsvWriter csv(style);
-  load_header(csv);
-  scalar_header<LoadCaseResult>(csv, "", "converged");
-  for (const Interface i : kInterfaces)
-    for (const char* key : {"most_loaded_thread", "largest_load_rate_percent", "largest_peak_pressure_MPa"})
-      csv.text(fmt::format("{}_{}", name(i), key));
-  csv.text("loads");
-  scalar_header<RunningLoads>(csv, "running_");
-  for (const Interface i : kInterfaces) csv.text(fmt::format("static_{}_largest_normal_load_N", name(i)));
-  scalar_header<RunningLoads::AtRest>(csv, "static_");
-  csv.end_row();
-
-  for (const LoadCaseResult& load_case : result.load_cases) {
-    load_fields(csv, load_case.load_case);
-    scalar_fields<LoadCaseResult>(csv, &load_case, "converged");
-    for (const Interface i : kInterfaces) most_loaded_fields(csv, load_case, i);
-    const RunningLoads* running = load_case.running ? &*load_case.running : nullptr;
-    const bool known = running && running->converged();
-    csv.text(name(load_case.loads));
-    scalar_fields<RunningLoads>(csv, running);
+  CsvRows csv(style);
+  for (const LoadCaseResult& r : result.load_cases) {
+    csv.load_case(r.load_case);
+    csv.record("", r, "converged");
+    for (const Interface i : kInterfaces) {
+      const InterfaceLoads loads = r.threads ? (*r.threads)[i] : InterfaceLoads{};
+      const auto field = [&](std::string_view key, const auto& value) {
+        csv(fmt::format("{}_{}", name(i), key), value);
+      };
+      const auto thread = index_of_largest(loads.load_rate);
+      const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
+      field("most_loaded_thread", thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt);
+      field("largest_load_rate_percent", entry_if_any(loads.load_rate, thread));
+      field("largest_peak_pressure_MPa", entry_if_any(loads.peak_pressure, index_of_largest(loads.peak_pressure)));
+    }
+    csv("loads", name(r.loads));
+    csv.record("running_", r.running);
+    const auto* at_rest = r.running && r.running->converged() ? &r.running->at_rest : nullptr;
     for (const Interface i : kInterfaces)
-      csv.number(known ? std::optional(running->at_rest.largest_normal_load[i]) : std::nullopt);
-    scalar_fields<RunningLoads::AtRest>(csv, known ? &running->at_rest : nullptr);
+      csv(fmt::format("static_{}_largest_normal_load_N", name(i)),
+          at_rest ? std::optional(at_rest->largest_normal_load[i]) : std::nullopt);
+    csv.record("static_", at_rest);
     csv.end_row();
   }
   return csv.take();
 }
 
 std::string load_distribution_csv(const Result& result, const CsvStyle& style) {
-  CsvWriter csv(style);
-  load_header(csv);
+  CsvRows csv(style);
   const bool all_rollers =
       std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
-  if (all_rollers) csv.text("roller");
-  csv.text("thread");
-  for (const Interface i : kInterfaces) series_header<InterfaceLoads>(csv, fmt::format("{}_", name(i)));
-  csv.end_row();
-
-  for (const LoadCaseResult& load_case : result.load_cases) {
-    if (!load_case.threads) continue;
-    for (const auto k : indices(load_case.threads->screw.axial_load)) {
-      load_fields(csv, load_case.load_case);
-      const auto row = static_cast<std::size_t>(load_case.threads->screw.threads_per_roller);
-      if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
-      csv.integer(row ? k % row + 1 : k + 1);
-      for (const Interface i : kInterfaces) series_fields(csv, (*load_case.threads)[i], k);
-      csv.end_row();
-    }
-  }
+  const auto add_row = [&](const LoadCaseResult& r, const PerInterface<InterfaceLoads>& loads, std::size_t k) {
+    csv.load_case(r.load_case);
+    const auto row = static_cast<std::size_t>(loads.screw.threads_per_roller);
+    if (all_rollers) csv("roller", row ? std::optional(k / row + 1) : std::nullopt);
+    csv("thread", row ? k % row + 1 : k + 1);
+    for (const Interface i : kInterfaces) csv.series(fmt::format("{}_", name(i)), loads[i], k);
+    csv("loads", name(r.loads));
+    csv.end_row();
+  };
+  add_row({}, {}, 0);
+  csv.drop_rows();
+  for (const LoadCaseResult& r : result.load_cases)
+    if (r.threads)
+      for (const auto k : indices(r.threads->screw.axial_load)) add_row(r, *r.threads, k);
   return csv.take();
 }
 

@@ -8,6 +8,7 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/csv_rows.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -15,17 +16,9 @@ namespace {
 
 std::string life_line(const std::string& what, const std::string& value) { return hanging("  " + what, 41, value); }
 
-/// Four digits with the unit of tables.
-std::string in_unit(std::optional<double> si, std::string_view unit) {
-  if (!si) return std::string(kAbsent);
-  return fmt::format("{} {}", significant(shown(*si, unit)), table_unit(unit).text);
-}
+std::string kilonewtons(std::optional<double> force) { return significant_with_unit(force, "kN"); }
 
-std::string kilonewtons(std::optional<double> force) { return in_unit(force, "kN"); }
-
-std::string cell(std::optional<double> value, double factor = 1.0) {
-  return significant(value ? std::optional(*value * factor) : std::nullopt);
-}
+std::string cell(std::optional<double> value, double factor = 1.0) { return significant(scaled(value, factor)); }
 
 constexpr TableRows kLifeRows{40, 15};
 
@@ -137,16 +130,17 @@ std::string capacities(const LifeResult& r, bool all) {
 std::string loads(const LifeResult& r) {
   std::string text;
   if (r.revolutions_known)
-    text += life_line(
-        "revolutions, travel",
-        fmt::format("{}, {}", cell(r.revolutions), in_unit(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
+    text += life_line("revolutions, travel",
+                      fmt::format("{}, {}", cell(r.revolutions),
+                                  significant_with_unit(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
   if (r.duration) text += life_line("duration", fmt::format("{} h", cell(*r.duration, 1.0 / 3600.0)));
   for (const Direction d : kDirections)
     if (const auto& f = r.flanks[d])
-      text += life_line(fmt::format("{}", name(d)),
-                        fmt::format("{:.1f} % of the revolutions, up to {} and {}",
-                                    100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
-                                    in_unit(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
+      text +=
+          life_line(fmt::format("{}", name(d)),
+                    fmt::format("{:.1f} % of the revolutions, up to {} and {}", 100.0 * f->revolutions / r.revolutions,
+                                kilonewtons(f->largest_force),
+                                significant_with_unit(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
   if (r.cycles)
     text += life_line("load cycles (rainflow)",
                       fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}", count(r.cycles->cycles),
@@ -171,26 +165,26 @@ std::string table_with(const LifeResult& r, bool all) {
 template <class Lives>
 std::string lives_csv(const LifeResult& r, const CsvStyle& style, const Lives& (*lives_of)(const ThreadLives&)) {
   constexpr bool all_rollers = std::is_same_v<Lives, RollerLives>;
-  CsvWriter csv(style);
-  csv.fields("direction", "interface");
-  if (all_rollers) csv.text("roller");
-  csv.text("thread");
-  series_header<Lives>(csv);
-  csv.end_row();
+  CsvRows csv(style);
+  const auto add_row = [&](Direction d, Interface i, const Lives& lives, std::size_t k) {
+    std::size_t threads = lives.life.size();
+    if constexpr (all_rollers) threads = static_cast<std::size_t>(lives.threads_per_roller);
+    threads = std::max<std::size_t>(threads, 1);
+    csv("direction", name(d));
+    csv("interface", name(i));
+    if (all_rollers) csv("roller", k / threads + 1);
+    csv("thread", k % threads + 1);
+    csv.series("", lives, k);
+    csv.end_row();
+  };
+  add_row({}, {}, {}, 0);
+  csv.drop_rows();
   for (const Direction d : kDirections)
-    for (const Interface i : kInterfaces) {
-      if (!r.flanks[d]) continue;
-      const Lives& lives = lives_of(r.flanks[d]->threads[i]);
-      std::size_t threads = lives.life.size();
-      if constexpr (all_rollers) threads = static_cast<std::size_t>(lives.threads_per_roller);
-      for (const auto k : indices(lives.life)) {
-        csv.fields(name(d), name(i));
-        if (all_rollers) csv.integer(k / threads + 1);
-        csv.integer(k % threads + 1);
-        series_fields(csv, lives, k);
-        csv.end_row();
+    for (const Interface i : kInterfaces)
+      if (r.flanks[d]) {
+        const Lives& lives = lives_of(r.flanks[d]->threads[i]);
+        for (const auto k : indices(lives.life)) add_row(d, i, lives, k);
       }
-    }
   return csv.take();
 }
 

@@ -5,6 +5,7 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/preload/preload_record.h"
+#include "prs/record/csv_rows.h"
 
 namespace prs {
 namespace {
@@ -162,37 +163,33 @@ std::string preload_table(const PreloadResult& r) {
 
 }  // namespace
 
-namespace {
-
-/// Writes the fields of a point, empty if the solve failed.
-void curve_fields(CsvWriter& csv, const PreloadPoint* point) {
-  const bool solved = point && point->solve.converged();
-  csv.fields(point ? fe::name(point->solve.status) : "",
-             solved ? std::optional(point->axial_displacement * "µm"_per_si) : std::nullopt,
-             solved ? scaled(point->tangent_stiffness, "N/µm"_per_si) : std::nullopt);
-}
-
-}  // namespace
-
 std::string preload_csv(const PreloadResult& result, const CsvStyle& style) {
-  CsvWriter csv(style);
-  csv.row("axial_force_N", "status", "axial_displacement_um", "tangent_stiffness_N_per_um", "tension_side_load_N",
-          "tension_side_max_normal_load_N", "compression_side_load_N", "compression_side_max_normal_load_N",
-          "without_preload_status", "without_preload_displacement_um", "without_preload_tangent_stiffness_N_per_um");
-  for (const auto k : indices(result.curve.points)) {
-    const PreloadPoint& point = result.curve.points[k];
-    csv.number(point.axial_force);
-    curve_fields(csv, &point);
+  CsvRows csv(style);
+  using Point = std::optional<PreloadPointOf>;
+  const auto add_row = [&](const Point& point, const Point& loose) {
+    csv.record("", point, "", "converged");
+    csv.record("", point, "status", "iterations");
+    csv.record("", point, "axial_displacement_um");
     for (const Direction d : kDirections) {
-      const SideLoads& side = point.sides[d];
-      if (point.solve.converged())
-        csv.fields(side.axial_load.screw, std::max(side.max_normal_load.screw, side.max_normal_load.nut));
-      else
-        csv.fields("", "");
+      const SideLoads side = point ? point->point->sides[d] : SideLoads{};
+      const auto field = [&](std::string_view key, double load) {
+        csv(fmt::format("{}_side_{}", name(d), key),
+            point && point->point->solve.converged() ? std::optional(load) : std::nullopt);
+      };
+      field("load_N", side.axial_load.screw);
+      field("max_normal_load_N", std::max(side.max_normal_load.screw, side.max_normal_load.nut));
     }
-    curve_fields(csv, result.without_preload ? &result.without_preload->points[k] : nullptr);
+    csv.record("without_preload_", loose, "status", "iterations");
+    csv("without_preload_displacement_um",
+        loose ? quantity<PreloadPointOf>("axial_displacement_um").value.number(*loose) : std::nullopt);
+    csv.record("without_preload_", loose, "tangent_stiffness_N_per_um");
     csv.end_row();
-  }
+  };
+  add_row({}, {});
+  csv.drop_rows();
+  for (const auto k : indices(result.curve.points))
+    add_row(PreloadPointOf{&result, &result.curve.points[k]},
+            result.without_preload ? Point({&result, &result.without_preload->points[k]}) : std::nullopt);
   return csv.take();
 }
 

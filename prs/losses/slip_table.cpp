@@ -2,6 +2,7 @@
 
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
+#include "prs/record/csv_rows.h"
 #include "prs/slip/slip_warnings.h"
 #include "prs/text.h"
 
@@ -326,121 +327,74 @@ std::string slip_chart(const LoadCaseResult& result) {
          bar_chart(power, decimals_of(most), "W");
 }
 
-namespace {
-
-/// Writes fields of slip, those of the search for the slip ratio even without a result.
-void slip_fields(CsvWriter& csv, const LoadCaseResult& result) {
-  const SlipResult* slip = result.slip ? &*result.slip : nullptr;
-  if (slip) {
-    scalar_fields<SlipResult>(csv, slip);
-  } else {
-    csv.fields(false, slip_status_name(result));
-    scalar_fields<SlipResult>(csv, slip, "evaluations");
-  }
-  if (slip && !slip->converged()) slip = nullptr;
-  scalar_fields<SlipEstimates>(csv, slip ? &slip->estimates : nullptr);
-  for (const PowerSource& source : kPowerSources)
-    csv.number(slip ? std::optional(slip->power.*source.value) : std::nullopt);
-  const std::optional<HottestThread> hottest = slip ? hottest_thread(*slip) : std::nullopt;
-  scalar_fields<HottestThread>(csv, hottest ? &*hottest : nullptr);
-  scalar_fields<EqualShareSlip>(csv, slip && slip->equal_shares ? &*slip->equal_shares : nullptr);
-}
-
-}  // namespace
-
 std::string slip_csv(const Result& result, const CsvStyle& style) {
-  CsvWriter csv(style);
-  load_header(csv);
-  scalar_header<SlipResult>(csv);
-  scalar_header<SlipEstimates>(csv, "slip_ratio_");
-  for (const PowerSource& source : kPowerSources) csv.text(fmt::format("{}_power_W", source.key));
-  csv.fields("hottest_interface", "hottest_thread", "hottest_thread_power_W", "hottest_thread_power_density_W_per_mm2",
-             "hottest_roller");
-  scalar_header<EqualShareSlip>(csv, "equal_shares_");
-  csv.end_row();
-
-  for (const LoadCaseResult& load_case : result.load_cases) {
-    load_fields(csv, load_case.load_case);
-    slip_fields(csv, load_case);
+  CsvRows csv(style);
+  for (const LoadCaseResult& r : result.load_cases) {
+    csv.load_case(r.load_case);
+    // A search for the slip ratio has fields even without a result.
+    const SlipResult* slip = r.slip ? &*r.slip : nullptr;
+    csv("converged", slip && slip->converged());
+    csv("status", slip ? name(slip->status) : slip_status_name(r));
+    csv.record("", slip, "evaluations");
+    if (slip && !slip->converged()) slip = nullptr;
+    csv.record("slip_ratio_", slip ? &slip->estimates : nullptr);
+    for (const PowerSource& source : kPowerSources)
+      csv(fmt::format("{}_power_W", source.key), slip ? std::optional(slip->power.*source.value) : std::nullopt);
+    const std::optional<HottestThread> hottest = slip ? hottest_thread(*slip) : std::nullopt;
+    csv.record("hottest_", hottest, "", "power_W");
+    csv.record("hottest_thread_", hottest, "power_W", "roller");
+    csv.record("hottest_", hottest, "roller");
+    csv.record("equal_shares_", slip ? slip->equal_shares : std::nullopt);
     csv.end_row();
   }
   return csv.take();
 }
 
 std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
-  CsvWriter csv(style);
-  load_header(csv);
+  CsvRows csv(style);
   const bool all_rollers =
       std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
-  if (all_rollers) csv.text("roller");
-  csv.fields("interface", "thread", "axial_load_N");
-  series_header<InterfaceSlip>(csv);
-  csv.end_row();
-
-  for (const LoadCaseResult& load_case : result.load_cases) {
-    if (!has_slip(load_case) || !load_case.threads) continue;
-    for (const Interface i : kInterfaces) {
-      const InterfaceSlip& slip = load_case.slip->threads[i];
-      for (const auto k : indices(slip.power)) {
-        const auto row = static_cast<std::size_t>(slip.threads_per_roller);
-        load_fields(csv, load_case.load_case);
-        if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
-        csv.fields(name(i), row ? k % row + 1 : k + 1, entry_if_any((*load_case.threads)[i].axial_load, k));
-        series_fields(csv, slip, k);
-        csv.end_row();
-      }
-    }
-  }
+  const auto add_row = [&](const LoadCaseResult& r, Interface i, const InterfaceSlip& slip, std::size_t k) {
+    const auto row = static_cast<std::size_t>(slip.threads_per_roller);
+    csv.load_case(r.load_case);
+    if (all_rollers) csv("roller", row ? std::optional(k / row + 1) : std::nullopt);
+    csv("interface", name(i));
+    csv("thread", row ? k % row + 1 : k + 1);
+    csv("axial_load_N", r.threads ? entry_if_any((*r.threads)[i].axial_load, k) : std::nullopt);
+    csv.series("", slip, k);
+    csv.end_row();
+  };
+  add_row({}, Interface::screw, {}, 0);
+  csv.drop_rows();
+  for (const LoadCaseResult& r : result.load_cases)
+    if (has_slip(r) && r.threads)
+      for (const Interface i : kInterfaces)
+        for (const auto k : indices(r.slip->threads[i].power)) add_row(r, i, r.slip->threads[i], k);
   return csv.take();
 }
 
-namespace {
-
-/// `temperature_degC` and `rollers` as a column.
-std::string part_column(std::string_view key, std::string_view part) {
-  const std::string_view unit = unit_of(key).suffix;
-  return fmt::format("{}_{}{}", key.substr(0, key.size() - unit.size()), part, unit);
-}
-
-template <class Numbers>
-void part_header(CsvWriter& csv, std::string_view key) {
-  for (const Quantity<Numbers>& q : record_of<Numbers>().quantities) csv.text(part_column(key, q.key));
-}
-
-}  // namespace
-
 std::string heat_csv(const Result& result, const CsvStyle& style) {
-  CsvWriter csv(style);
-  load_header(csv);
-  scalar_header<HeatResult>(csv);
-  part_header<PartNumbers>(csv, "temperature_degC");
-  part_header<InterfaceNumbers>(csv, "oil_degC");
-  part_header<PartNumbers>(csv, "heat_W");
-  csv.end_row();
-  for (const LoadCaseResult& load_case : result.load_cases) {
-    if (!load_case.heat) continue;
-    load_fields(csv, load_case.load_case);
-    scalar_fields<HeatResult>(csv, &*load_case.heat);
-    const HeatResult* heat = load_case.heat->converged() ? &*load_case.heat : nullptr;
-    const auto put = [&](const std::optional<PartNumbers>& n) { scalar_fields<PartNumbers>(csv, n ? &*n : nullptr); };
-    put(heat ? std::optional(celsius_of(heat->temperature)) : std::nullopt);
-    const auto oil = heat && heat->oil ? std::optional(celsius_of(*heat->oil)) : std::nullopt;
-    scalar_fields<InterfaceNumbers>(csv, oil ? &*oil : nullptr);
-    put(heat ? std::optional(PartNumbers{heat->heat.screw, heat->heat.roller, heat->heat.nut}) : std::nullopt);
+  CsvRows csv(style);
+  for (const LoadCaseResult& r : result.load_cases) {
+    if (!r.heat) continue;
+    csv.load_case(r.load_case);
+    csv.record("", r.heat);
+    const std::optional<HeatResult> heat = r.heat->converged() ? r.heat : std::nullopt;
+    csv.record("temperature_degC", heat ? std::optional(celsius_of(heat->temperature)) : std::nullopt);
+    csv.record("oil_degC", heat && heat->oil ? std::optional(celsius_of(*heat->oil)) : std::nullopt);
+    csv.record("heat_W",
+               heat ? std::optional(PartNumbers{heat->heat.screw, heat->heat.roller, heat->heat.nut}) : std::nullopt);
     csv.end_row();
   }
   return csv.take();
 }
 
 std::string heat_cycle_csv(const HeatCycle& cycle, const CsvStyle& style) {
-  CsvWriter csv(style);
-  csv.text("time_s");
-  part_header<PartSeries>(csv, "temperature_degC");
-  csv.end_row();
+  CsvRows csv(style);
   const PartSeries temperature = celsius_of(cycle.temperature);
   for (const auto k : indices(cycle.time)) {
-    csv.number(cycle.time[k]);
-    series_fields(csv, temperature, k);
+    csv("time_s", cycle.time[k]);
+    csv.series("temperature_degC", temperature, k);
     csv.end_row();
   }
   return csv.take();

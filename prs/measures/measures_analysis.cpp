@@ -3,8 +3,10 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
+#include "prs/loads/load_record.h"
 #include "prs/measures/measures_criteria.h"
 #include "prs/model/check_case.h"
+#include "prs/record/csv_rows.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -140,13 +142,19 @@ std::string explanations() {
   return text;
 }
 
-template <class Owner>
-void add_rows(CsvWriter& csv, std::string_view load_case, const Owner& measures) {
-  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
-    const std::optional<double> value = q.value.number ? shown_number(q, measures) : std::nullopt;
-    if (!value) continue;
-    csv.row(load_case, q.key, q.unit.text, value);
-  }
+/// Adds the numbers of a record, then those of the records in it.
+void add_rows(CsvWriter& csv, std::string_view load_case, const RecordInfo& info, const Json& object,
+              const std::string& path = {}) {
+  for (const bool nested : {false, true})
+    for (const QuantityInfo& q : info.quantities) {
+      const auto value = object.find(q.key);
+      if (value == object.end() || q.kind != (nested ? Kind::record : Kind::number)) continue;
+      const std::string key = path + std::string(q.key);
+      if (nested)
+        add_rows(csv, load_case, q.record(), *value, key + ".");
+      else
+        csv.row(load_case, key, q.unit, value->get<double>());
+    }
 }
 
 std::string table_without(const MeasuresResult& result, const Keys& hidden) {
@@ -190,36 +198,32 @@ std::string measure_explanations() {
 std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
   CsvWriter csv(style);
   csv.row("load_case", "measure", "unit", "value");
-  add_rows(csv, "", result.measures);
+  add_rows(csv, "", describe<Measures>(), object_of(result.measures));
   for (std::size_t k = 0; k < result.load_measures.size(); ++k)
-    if (result.load_measures[k]) {
-      const std::string& name = result.analysis.load_cases[k].load_case.name;
-      const LoadMeasures& measures = *result.load_measures[k];
-      add_rows(csv, name, measures);
-      if (!measures.system_stiffness) continue;
-      csv.row(name, "system_stiffness.total_N_per_um", "N/µm", shown(measures.system_stiffness->total, "N/µm"));
-      for (const auto& [key, part] : parts_of_axis(*measures.system_stiffness)) {
-        const std::string path = fmt::format("system_stiffness.contributions.{}", key);
-        csv.row(name, path + ".stiffness_N_per_um", "N/µm", shown(part.stiffness, "N/µm"));
-        csv.row(name, path + ".percent", "%", part.share * "%"_per_si);
-      }
-    }
+    if (result.load_measures[k])
+      add_rows(csv, result.analysis.load_cases[k].load_case.name, describe<LoadMeasures>(),
+               object_of(*result.load_measures[k]));
   return csv.take();
 }
 
 std::string yang_csv(const MeasuresResult& result, const CsvStyle& style) {
-  CsvWriter csv(style);
-  load_header(csv);
-  csv.row("thread", "yang_load_rate_percent", "screw_load_rate_percent", "nut_load_rate_percent");
+  CsvRows csv(style);
+  const auto add_row = [&](const LoadCaseResult& r, const std::vector<double>& yang, std::size_t k) {
+    csv.load_case(r.load_case);
+    csv("thread", k + 1);
+    csv("yang_load_rate_percent", entry_if_any(yang, k));
+    for (const Interface i : kInterfaces)
+      csv(fmt::format("{}_load_rate_percent", name(i)),
+          r.threads ? entry_if_any((*r.threads)[i].load_rate, k) : std::nullopt);
+    csv.end_row();
+  };
+  add_row({}, {}, 0);
+  csv.drop_rows();
   for (std::size_t k = 0; k < result.load_measures.size(); ++k) {
     const LoadCaseResult& solved = result.analysis.load_cases[k];
     if (!result.load_measures[k] || !solved.threads) continue;
     const std::vector<double>& yang = result.load_measures[k]->yang_load_rate;
-    for (std::size_t thread = 0; thread < yang.size(); ++thread) {
-      load_fields(csv, solved.load_case);
-      csv.row(thread + 1, yang[thread] * "%"_per_si, solved.threads->screw.load_rate[thread] * "%"_per_si,
-              solved.threads->nut.load_rate[thread] * "%"_per_si);
-    }
+    for (std::size_t thread = 0; thread < yang.size(); ++thread) add_row(solved, yang, thread);
   }
   return csv.take();
 }

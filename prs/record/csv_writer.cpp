@@ -7,8 +7,6 @@
 #include <charconv>
 #include <system_error>
 
-#include "prs/model/units.h"
-
 namespace prs {
 namespace {
 
@@ -79,13 +77,6 @@ void CsvWriter::integer(std::optional<std::size_t> value) {
 void CsvWriter::end_row() {
   csv_ += '\n';
   row_is_empty_ = true;
-}
-
-void load_header(CsvWriter& csv) { csv.fields("case", "axial_force_N", "direction", "position_mm"); }
-
-void load_fields(CsvWriter& csv, const LoadCase& load) {
-  csv.fields(load.name, load.axial_force, load.direction ? name(*load.direction) : "",
-             scaled(load.position, "mm"_per_si));
 }
 
 }  // namespace prs

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
-
-#include "prs/model/load_case.h"
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace prs {
 
@@ -38,8 +40,23 @@ class CsvWriter {
   void integer(std::optional<std::size_t> value);
   void end_row();
 
-  /// Writes fields by their types: texts, flags, whole numbers, numbers that may be absent, and all elements of a
-  /// vector.
+  /// Writes a value by its type: a text, a flag, a whole number, a number that may be absent, times the factor, or all
+  /// elements of a vector.
+  template <class T>
+  void field(const T& value, double factor = 1.0) {
+    if constexpr (std::is_same_v<T, bool>)
+      word(value ? "true" : "false");
+    else if constexpr (std::is_integral_v<T>)
+      integer(static_cast<std::size_t>(value));
+    else if constexpr (std::is_same_v<T, std::optional<std::size_t>>)
+      integer(value);
+    else if constexpr (std::is_convertible_v<T, std::string_view>)
+      text(value);
+    else if constexpr (std::is_convertible_v<T, std::optional<double>>)
+      number(value, factor);
+    else
+      for (const auto& element : value) field(element);
+  }
   template <class... Values>
   void fields(const Values&... values) {
     (field(values), ...);
@@ -54,21 +71,6 @@ class CsvWriter {
   std::string take() { return std::move(csv_); }
 
  private:
-  template <class T>
-  void field(const T& value) {
-    if constexpr (std::is_same_v<T, bool>)
-      word(value ? "true" : "false");
-    else if constexpr (std::is_integral_v<T>)
-      integer(static_cast<std::size_t>(value));
-    else if constexpr (std::is_same_v<T, std::optional<std::size_t>>)
-      integer(value);
-    else if constexpr (std::is_convertible_v<T, std::string_view>)
-      text(value);
-    else if constexpr (std::is_convertible_v<T, std::optional<double>>)
-      number(value);
-    else
-      for (const auto& element : value) field(element);
-  }
   void separate() {
     if (!row_is_empty_) csv_ += style_.separator();
     row_is_empty_ = false;
@@ -87,9 +89,5 @@ class CsvWriter {
 inline std::optional<double> scaled(std::optional<double> si, double factor) {
   return si ? std::optional(*si * factor) : std::nullopt;
 }
-
-/// Writes the names of the fields that identify the load case of a row.
-void load_header(CsvWriter& csv);
-void load_fields(CsvWriter& csv, const LoadCase& load);
 
 }  // namespace prs

@@ -7,6 +7,7 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_record.h"
 #include "prs/losses/slip_figures.h"
+#include "prs/record/csv_rows.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -763,17 +764,11 @@ std::string size_table(const SizeResult& r, std::size_t rows) {
 namespace {
 
 std::string candidates_csv(const SizeResult& r, const CsvStyle& style) {
-  CsvWriter csv(style);
-  scalar_header<SizedCandidate>(csv);
-  scalar_header<PartNumbers>(csv, "temperature_degC.");
-  scalar_header<SizedCandidate::ByThreads>(csv, "computed.");
-  csv.end_row();
+  CsvRows csv(style);
   for (const SizedCandidate& c : r.candidates) {
-    scalar_fields<SizedCandidate>(csv, &c);
-    std::optional<PartNumbers> celsius;
-    if (c.temperature) celsius = celsius_of(*c.temperature);
-    scalar_fields<PartNumbers>(csv, celsius ? &*celsius : nullptr);
-    scalar_fields<SizedCandidate::ByThreads>(csv, &c.by_threads);
+    csv.record("", c);
+    csv.record("temperature_degC.", c.temperature ? std::optional(celsius_of(*c.temperature)) : std::nullopt);
+    csv.record("computed.", c.by_threads);
     csv.end_row();
   }
   return csv.take();
@@ -783,17 +778,18 @@ std::string candidates_csv(const SizeResult& r, const CsvStyle& style) {
 template <class Item>
 std::string items_csv(const SizeResult& r, const std::vector<Item> SizedCandidate::*items, std::string_view kind,
                       const CsvStyle& style) {
-  const std::string_view behind_name = record_of<Item>().quantities[1].key;
-  CsvWriter csv(style);
-  csv.fields("rank", "candidate", kind);
-  scalar_header<Item>(csv, {}, behind_name);
-  csv.end_row();
+  CsvRows csv(style);
+  const auto add_row = [&](const SizedCandidate& c, const Item& item) {
+    csv("rank", c.rank);
+    csv("candidate", c.name);
+    csv(kind, std::string(item.name));
+    csv.record("", item, record_of<Item>().quantities[1].key);
+    csv.end_row();
+  };
+  add_row({}, {});
+  csv.drop_rows();
   for (const SizedCandidate& c : r.candidates)
-    for (const Item& item : c.*items) {
-      csv.fields(static_cast<std::size_t>(c.rank), c.name, std::string(item.name));
-      scalar_fields<Item>(csv, &item, behind_name);
-      csv.end_row();
-    }
+    for (const Item& item : c.*items) add_row(c, item);
   return csv.take();
 }
 

@@ -28,9 +28,7 @@ struct Heading {
   std::string upper, lower;
 };
 
-std::string number(std::optional<double> value, double factor = 1.0) {
-  return digits(value ? std::optional(factor * *value) : std::nullopt, 5);
-}
+std::string number(std::optional<double> value, double factor = 1.0) { return digits(scaled(value, factor), 5); }
 
 /// Two lines of about the same width.
 Heading broken(const std::string& text) {

@@ -3,6 +3,7 @@
 #include "modules/module.h"
 #include "prs/bodies/body_models.h"
 #include "prs/indices.h"
+#include "prs/record/csv_rows.h"
 #include "validation/extensions.h"
 
 namespace prs::reference_fe {
@@ -189,37 +190,37 @@ ValidationTable summary_table(const Models& models, const Curves& reference) {
   return table;
 }
 
-void setup_header(CsvWriter& csv) { csv.fields("config", "direction", "guidance", "contacts", "load_kN"); }
-
-void setup_fields(CsvWriter& csv, const Setup& setup, double load) { csv.fields(words(setup), load * "kN"_per_si); }
-
-void load_discrepancy_fields(CsvWriter& csv, const std::optional<Discrepancy>& d, Interface i) {
-  for (const auto value : {&LoadDiscrepancy::mean, &LoadDiscrepancy::largest, &LoadDiscrepancy::relative_mean,
-                           &LoadDiscrepancy::relative_highest, &LoadDiscrepancy::relative_lowest})
-    csv.number(d ? std::optional(d->loads[i].*value) : std::nullopt, "%"_per_si);
+void setup_fields(CsvRows& csv, const Setup& setup, double load) {
+  constexpr std::string_view kNames[] = {"config", "direction", "guidance", "contacts"};
+  const auto all = words(setup);
+  for (const auto k : indices(all)) csv(kNames[k], all[k]);
+  csv("load_kN", load);
 }
 
 std::string comparison_csv(const Models& models, const Curves& reference) {
-  CsvWriter csv(CsvStyle{});
-  setup_header(csv);
-  csv.fields("model", "displacement_um", "reference_displacement_um", "stiffness_N_per_um",
-             "stiffness_discrepancy_percent");
-  for (const Interface i : kInterfaces)
-    for (const char* key : {"mean", "largest", "relative_mean", "relative_highest", "relative_lowest"})
-      csv.text(fmt::format("{}_{}_discrepancy_percent", prs::name(i), key));
-  csv.end_row();
+  constexpr std::pair<std::string_view, double LoadDiscrepancy::*> kDiscrepancies[] = {
+      {"mean", &LoadDiscrepancy::mean},
+      {"largest", &LoadDiscrepancy::largest},
+      {"relative_mean", &LoadDiscrepancy::relative_mean},
+      {"relative_highest", &LoadDiscrepancy::relative_highest},
+      {"relative_lowest", &LoadDiscrepancy::relative_lowest}};
+  CsvRows csv(CsvStyle{});
   for (const Model& model : models)
     for (const auto k : indices(reference))
       for (const auto n : indices(reference[k].points)) {
         const CurvePoint &point = model.curves[k].points[n], &target = reference[k].points[n];
         const std::optional<Discrepancy> d = discrepancy(point, target);
+        const auto known = [&](double value) { return d ? std::optional(value) : std::nullopt; };
         setup_fields(csv, reference[k].setup, target.load);
-        csv.text(model.name);
-        csv.number(d ? std::optional(point.displacement) : std::nullopt, "µm"_per_si);
-        csv.number(target.displacement, "µm"_per_si);
-        csv.number(d ? std::optional(point.stiffness()) : std::nullopt, "N/µm"_per_si);
-        csv.number(d ? std::optional(d->stiffness) : std::nullopt, "%"_per_si);
-        for (const Interface i : kInterfaces) load_discrepancy_fields(csv, d, i);
+        csv("model", model.name);
+        csv("displacement_um", known(point.displacement));
+        csv("reference_displacement_um", target.displacement);
+        csv("stiffness_N_per_um", known(point.stiffness()));
+        csv("stiffness_discrepancy_percent", d ? std::optional(d->stiffness) : std::nullopt);
+        for (const Interface i : kInterfaces)
+          for (const auto& [key, value] : kDiscrepancies)
+            csv(fmt::format("{}_{}_discrepancy_percent", prs::name(i), key),
+                d ? std::optional(d->loads[i].*value) : std::nullopt);
         csv.end_row();
       }
   return csv.take();
@@ -230,19 +231,17 @@ std::optional<double> rate_of(const CurvePoint& point, Interface i, std::size_t 
 }
 
 std::string load_rates_csv(const Models& models, const Curves& reference) {
-  CsvWriter csv(CsvStyle{});
-  setup_header(csv);
-  csv.fields("interface", "thread", "reference_percent");
-  for (const Model& model : models) csv.text(model.name + "_percent");
-  csv.end_row();
+  CsvRows csv(CsvStyle{});
   for (const auto k : indices(reference))
     for (const auto n : indices(reference[k].points)) {
       const CurvePoint& target = reference[k].points[n];
       for (const Interface i : kInterfaces)
         for (const auto thread : indices(target.load_rate[i])) {
           setup_fields(csv, reference[k].setup, target.load);
-          csv.fields(prs::name(i), thread + 1, target.load_rate[i][thread] * "%"_per_si);
-          for (const Model& model : models) csv.number(rate_of(model.curves[k].points[n], i, thread), "%"_per_si);
+          csv("interface", prs::name(i));
+          csv("thread", thread + 1);
+          csv("reference_percent", target.load_rate[i][thread]);
+          for (const Model& model : models) csv(model.name + "_percent", rate_of(model.curves[k].points[n], i, thread));
           csv.end_row();
         }
     }

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/record/csv_writer.h"
+#include "prs/loads/load_record.h"
+#include "prs/record/csv_rows.h"
 
 #include "support/parsed_csv.h"
 #include "support/sample_result.h"
@@ -45,12 +46,37 @@ TEST(Csv, OneRowALoadCase) {
 }
 
 TEST(Csv, OneRowAThreadOfEveryAnswer) {
-  const LoadCaseResult load_case = solved_case("a", 45e3, Direction::tension);
+  LoadCaseResult load_case = solved_case("a", 45e3, Direction::tension);
+  load_case.loads = ModelOptions::Loads::running;
   const auto rows = parse(load_distribution_csv(result_of({load_case, failed_case("b"), equal_share_case("c")})));
   ASSERT_EQ(rows.size(), 20 + 4);
   EXPECT_EQ(rows[19].at("thread"), "20");
+  EXPECT_EQ(rows[19].at("loads"), "running");
+  EXPECT_EQ(rows[20].at("loads"), "static");
   EXPECT_EQ(rows[20].at("case"), "c");
   EXPECT_EQ(rows[20].at("screw_semi_major_mm"), "");
+}
+
+TEST(Csv, FilesWithoutRowsHaveTheirHeader) {
+  const std::string none = load_distribution_csv(result_of({failed_case("a")}));
+  const std::string some = load_distribution_csv(result_of({solved_case("a", 45e3, Direction::tension)}));
+  EXPECT_EQ(none, some.substr(0, some.find('\n') + 1));
+}
+
+TEST(Csv, NamesOfTheFirstRowAreTheHeaderAndHaveTheUnitsOfItsNumbers) {
+  CsvRows csv(CsvStyle{});
+  for (const double force : {1500.0, -20.0}) {
+    csv("axial_force_kN", force);
+    csv("share", 0.5);
+    csv("at_um", std::optional<double>());
+    csv.record("temperature_degC", PartNumbers{20.0, 30.0, 40.0}, "rollers");
+    csv.record("mean_", std::optional<PartNumbers>(), "", "rollers");
+    csv.end_row();
+  }
+  EXPECT_EQ(csv.take(),
+            "axial_force_kN,share,at_um,temperature_rollers_degC,temperature_nut_degC,mean_screw\n"
+            "1.5,0.5,,30,40,\n"
+            "-0.02,0.5,,30,40,\n");
 }
 
 TEST(Csv, FieldsAreWrittenAsTheirTypesSay) {
