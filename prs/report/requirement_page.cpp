@@ -74,7 +74,9 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
     std::string text;
     for (const Picture& p : delivery.pictures())
       if (p.name == name)
-        for (const Figure& figure : p.make({})) text += "<figure>" + svg(figure, std::string(name)) + "</figure>\n";
+        for (const Figure& figure : p.make({}))
+          text += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", prose_html(figure.title),
+                              svg(figure, std::string(name)));
     return text;
   };
   const MotionCycle& cycle = result.input.cycle;
