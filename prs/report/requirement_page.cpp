@@ -24,9 +24,10 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
     for (const auto k : indices(rows)) {
       Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);
-      rows[k].push_back(cell.empty()      ? "–"
-                        : key == "reason" ? prose_html(cell.front().get<std::string>())
-                                          : report_value(cell.front(), unit));
+      rows[k].push_back(cell.empty()           ? "–"
+                        : key == "reason"      ? prose_html(cell.front().get<std::string>())
+                        : key == "source_name" ? breakable_html(cell.front().get<std::string>())
+                                               : report_value(cell.front(), unit));
     }
   }
   return plain_table(head, rows, true);
