@@ -39,6 +39,8 @@ ResponseTitle response_title(std::string_view path) {
                                                                       {"solved_static_safety", "static safety"},
                                                                       {"l10_hours", "L10 in time"},
                                                                       {"l10_revolutions", "L10 in turns"},
+                                                                      {"torque_screw", "torque on the screw"},
+                                                                      {"torque_nut", "torque on the nut"},
                                                                       {"max", "largest "},
                                                                       {"min", "smallest "},
                                                                       {"mean", "mean "}};
