@@ -534,7 +534,7 @@ Figures curve_figures(const FitResult& r) {
     for (const std::size_t i : order) {
       std::vector<std::string> others;
       for (const FitCondition& condition : c.curve().conditions)
-        if (const auto number = input::parse_number(condition.texts[i]); !number || *number != x[i])
+        if (const auto number = input::split_unit(condition.texts[i]); !number || number->number != x[i])
           others.push_back(condition.texts[i]);
       lines[others].push_back(i);
     }
@@ -589,6 +589,10 @@ Figures correlation_figures(const FitResult& r) {
   }
   panel.map.grid.y = panel.map.grid.x;
   panel.map.cells = true;
+  for (Axis* const axis : {&figure.x, &figure.y}) {  // Whole cells at the ends.
+    axis->from = 0.5;
+    axis->to = static_cast<double>(names.size()) + 0.5;
+  }
   figure.colours = ColourScale{.label = "Correlation", .from = -1.0, .to = 1.0};
   figure.panels.push_back(std::move(panel));
   return {std::move(figure)};

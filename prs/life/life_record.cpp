@@ -96,15 +96,14 @@ constexpr auto rated_of = of<[](auto& life) {
                              is_finite>;
 
 constexpr Quantity<LifeInUse> kLifeInUse[] = {
-    {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>, "that 90 % reach", source::kLife,
-     "life L10 in revolutions"},
+    {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>, "that 90 % reach", source::kLife, "life L10 in turns"},
     {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>, "by the range of the dynamic capacity",
      source::kLife, "life L10, by the range of C_a"},
     {"l10_hours", of<&LifeInUse::hours, is_finite>,
      "clock hours where the file states time, duration or period, else hours in motion at operation.speed",
-     source::kLife, "life L10 in hours"},
+     source::kLife, "life L10 in time"},
     {"l10_moving_hours", of<&LifeInUse::moving_hours, is_finite>, "in motion at operation.speed", source::kLife,
-     "life L10 in hours of motion"},
+     "life L10 in time of motion"},
     {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "under load; with life.travel all travel", source::kLife,
      "life L10 in travel"},
     {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum", source::kLife,
@@ -125,7 +124,7 @@ constexpr Quantity<LifeInUse> kLifeInUse[] = {
 constexpr Quantity<ThreadLives> kThreadLives[] = {
     {"equivalent_load_N", of<&ThreadLives::equivalent_load>, "axial, cubic mean over all revolutions", kPalmgrenMean},
     {"l10_revolutions", of<&ThreadLives::life>, "of the thread on all rollers; null where it is never loaded",
-     source::kLife, "life L10 in revolutions"},
+     source::kLife, "life L10 in turns"},
     {"rated_revolutions", of<&ThreadLives::rated_life>, kRated, kReliability, "rated life in revolutions"},
     {"largest_load_N", of<&ThreadLives::largest_load>,
      "axial, the largest of all forces: at rest, and of a running screw where life is of its loads"},

@@ -385,7 +385,7 @@ Figure ellipses(const Result&, const LoadCaseResult& shown) {
   if (!(major > 0.0)) return {};
   if (!(pressure.from < pressure.to)) pressure.widen(0.05);
   figure.colours = ColourScale{"Peak pressure", "MPa", pressure.from, pressure.to};
-  const double step = 2.25 * major, height = 2.0 * minor + 1.3 * major;
+  const double step = 2.25 * major, height = 2.0 * minor + 1.7 * major;
   Panel panel;
   Series series{figure.add(area_of(Colour::sky))};
   figure.y = {""};
@@ -398,7 +398,7 @@ Figure ellipses(const Result&, const LoadCaseResult& shown) {
       const double y = top - static_cast<double>(t / per_row) * height;
       series.parts.push_back(ellipse(x, y, loads.semi_major[t] * "mm"_per_si, loads.semi_minor[t] * "mm"_per_si, 0.0));
       series.values.push_back(loads.peak_pressure[t] * "MPa"_per_si);
-      panel.labels.push_back({std::to_string(t + 1), x, y + minor + 0.42 * major, false, Label::Anchor::centre});
+      panel.labels.push_back({std::to_string(t + 1), x, y + minor + 0.65 * major, false, Label::Anchor::centre});
       lowest = y;
     }
     figure.y.ticks.push_back({top - 0.5 * static_cast<double>(rows - 1) * height, interface_title(kInterfaces[k])});
@@ -416,7 +416,7 @@ Figure ellipses(const Result&, const LoadCaseResult& shown) {
   figure.x = {"", "", -0.6 * step, static_cast<double>(per_row) * step - 0.4 * step};
   figure.x.hidden = true;
   figure.y.from = bar - 0.7 * major;
-  figure.y.to = minor + 0.9 * major;
+  figure.y.to = minor + 1.4 * major;
   figure.aspect = (figure.y.to - figure.y.from) / (figure.x.to - figure.x.from);
   figure.panels.push_back(std::move(panel));
   return figure;

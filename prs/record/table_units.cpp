@@ -37,8 +37,10 @@ ResponseTitle response_title(std::string_view path) {
   // Words of catalogues for keys, and places, which stand behind the quantity.
   constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"load_rate", "share of the load"},
                                                                       {"solved_static_safety", "static safety"},
-                                                                      {"l10_hours", "L10 in hours"},
-                                                                      {"l10_revolutions", "L10 in revolutions"},
+                                                                      {"l10_hours", "L10 in time"},
+                                                                      {"l10_revolutions", "L10 in turns"},
+                                                                      {"torque_screw", "torque on the screw"},
+                                                                      {"torque_nut", "torque on the nut"},
                                                                       {"max", "largest "},
                                                                       {"min", "smallest "},
                                                                       {"mean", "mean "}};

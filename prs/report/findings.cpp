@@ -175,8 +175,9 @@ std::string requirement_html(const Findings& all) {
   std::vector<std::string> loads, limits;
   if (const CommandAnswer* answer = all.most_complete())
     for (const LoadCaseResult& r : answer->delivery.result<Result>()->load_cases)
-      loads.push_back(fmt::format("{}: {} {}", case_name_cell(r),
-                                  significant_with_unit(r.load_case.axial_force, "kN", 4), direction_cell(r)));
+      loads.push_back(fmt::format("{}: {}{}", case_name_cell(r),
+                                  significant_with_unit(r.load_case.axial_force, "kN", 4),
+                                  direction_cell(r) == kAbsent ? "" : " " + direction_cell(r)));
   if (loads.size() > kMostLoads) {
     const std::size_t more = loads.size() - kMostLoads;
     loads.resize(kMostLoads);

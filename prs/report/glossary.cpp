@@ -99,7 +99,7 @@ std::string glossary_html(const std::vector<std::pair<const RecordInfo*, const J
   }
   std::string text = "<dl class=\"terms\">\n";
   for (const auto& [order, entry] : entries) text += entry;
-  return text + "</dl>\n";
+  return folded_html(fmt::format("{} words and quantities", entries.size()), text + "</dl>\n");
 }
 
 }  // namespace prs

@@ -24,9 +24,10 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
     for (const auto k : indices(rows)) {
       Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);
-      rows[k].push_back(cell.empty()      ? "–"
-                        : key == "reason" ? prose_html(cell.front().get<std::string>())
-                                          : report_value(cell.front(), unit));
+      rows[k].push_back(cell.empty()           ? "–"
+                        : key == "reason"      ? prose_html(cell.front().get<std::string>())
+                        : key == "source_name" ? breakable_html(cell.front().get<std::string>())
+                                               : report_value(cell.front(), unit));
     }
   }
   return plain_table(head, rows, true);
@@ -74,7 +75,9 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
     std::string text;
     for (const Picture& p : delivery.pictures())
       if (p.name == name)
-        for (const Figure& figure : p.make({})) text += "<figure>" + svg(figure, std::string(name)) + "</figure>\n";
+        for (const Figure& figure : p.make({}))
+          text += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", prose_html(figure.title),
+                              svg(figure, std::string(name)));
     return text;
   };
   const MotionCycle& cycle = result.input.cycle;

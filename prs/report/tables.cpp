@@ -98,8 +98,16 @@ void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColum
 
 void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
               const std::string& prefix, std::string_view unit) {
+  std::vector<const QuantityInfo*> in_groups;  // Quantities of one group stand together.
+  for (const QuantityInfo& q : info.quantities) {
+    const auto last = std::ranges::find_if(in_groups.rbegin(), in_groups.rend(), [&](const QuantityInfo* other) {
+      return !q.group.empty() && other->group == q.group;
+    });
+    in_groups.insert(last == in_groups.rend() ? in_groups.end() : last.base(), &q);
+  }
   for (const bool nested : {false, true})
-    for (const QuantityInfo& q : info.quantities) {
+    for (const QuantityInfo* const each : in_groups) {
+      const QuantityInfo& q = *each;
       const bool is_record = q.kind == Kind::record;
       const std::string_view own_unit = q.unit.empty() && !is_ratio(q.key) ? unit : q.unit;
       if ((is_record && own_unit.empty()) != nested) continue;
@@ -131,9 +139,11 @@ std::string prose_html(std::string_view sentence) {
   static const std::pair<std::regex, const char*> kSigns[] = {
       {std::regex(R"(\bum\b)"), "µm"},
       {std::regex(R"(\bdeg([CF])\b)"), "°$1"},
+      {std::regex(R"(^deg$|(\d) deg\b)"), "$1°"},
+      {std::regex(R"(\b([A-Za-z]|[Oo]mega)_([A-Za-z\d]|max)\b)"), "$1<sub>$2</sub>"},
       {std::regex(R"(([A-Za-z])\^2(?![\d.]))"), "$1²"},
       {std::regex(R"(([A-Za-z])\^3(?![\d.]))"), "$1³"},
-      {std::regex(R"(\^(-?\d+(?:\.\d+)?|\([\d/]+\)))"), "<sup>$1</sup>"}};
+      {std::regex(R"(\^(-?\d+(?:\.\d+)?|\(-?[\d/]+\)))"), "<sup>$1</sup>"}};
   std::string all;
   bool is_code = false;
   for (std::size_t begin = 0; begin <= sentence.size(); is_code = !is_code) {
@@ -141,7 +151,7 @@ std::string prose_html(std::string_view sentence) {
     std::string part = html(sentence.substr(begin, end - begin));
     if (is_code)
       part = fmt::format("<code>{}</code>", part);
-    else if (part.find_first_of("^") != part.npos || part.find("um") != part.npos || part.find("deg") != part.npos)
+    else if (part.find_first_of("^_") != part.npos || part.find("um") != part.npos || part.find("deg") != part.npos)
       for (const auto& [letters, sign] : kSigns) part = std::regex_replace(part, letters, sign);
     all += part;
     begin = end + 1;
@@ -249,10 +259,17 @@ std::string plain_table(const std::vector<std::string>& head, const std::vector<
                         bool of_numbers) {
   std::string text =
       fmt::format("<div class=\"wide\" tabindex=\"0\"><table{}>\n", of_numbers ? " class=\"quantities\"" : "");
+  const auto look = [&](std::size_t column) {  // Words begin at the left, numbers end at the right.
+    const auto has_words = [&](const std::vector<std::string>& row) {
+      return column < row.size() && !row[column].empty() && row[column] != "–" &&
+             row[column].find_first_of("0123456789") > 3;
+    };
+    return of_numbers && column > 0 && std::ranges::any_of(rows, has_words) ? " class=\"words\"" : "";
+  };
   if (!head.empty()) {
     text += "<thead><tr>";
-    for (const std::string& cell : head)
-      text += cell.empty() ? "<td></td>" : fmt::format("<th scope=\"col\">{}</th>", cell);
+    for (const auto k : indices(head))
+      text += head[k].empty() ? "<td></td>" : fmt::format("<th scope=\"col\"{}>{}</th>", look(k), head[k]);
     text += "</tr></thead>\n";
   }
   text += "<tbody>\n";
@@ -263,7 +280,7 @@ std::string plain_table(const std::vector<std::string>& head, const std::vector<
       continue;
     }
     text += fmt::format("<tr><th scope=\"row\">{}</th>", row.front());
-    for (std::size_t k = 1; k < row.size(); ++k) text += fmt::format("<td>{}</td>", row[k]);
+    for (std::size_t k = 1; k < row.size(); ++k) text += fmt::format("<td{}>{}</td>", look(k), row[k]);
     text += "</tr>\n";
   }
   return text + "</tbody></table></div>\n";

@@ -261,7 +261,7 @@ def test_cases_load_cases_and_searches_are_shown() -> None:
     assert "mechanism.rollers=9" in shown and "<td>5 mm</td>" in shown
     assert "ready for check, contact, solve" in shown and "preload (lacks preload)" in shown
     assert "Static safety" in case.check()._repr_html_()
-    assert "L10 in hours, h" in case.life()._repr_html_()
+    assert "L10 in time, h" in case.life()._repr_html_()
     assert "dynamic capacity" in case.measures()._repr_html_()
     load_case = case.solve().load_cases[0]
     shown = load_case._repr_html_()

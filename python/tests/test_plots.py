@@ -797,6 +797,21 @@ def test_a_legend_of_ones_own_keeps_the_label() -> None:
     ax.plot([1.0], [5.0], "k+", label="FE")
     texts = [text.get_text() for text in ax.legend().get_texts()]
     assert any(text.startswith("OD 64") for text in texts) and "FE" in texts
+    assert {"Roller-screw, tension", "Roller-nut, tension"} <= set(texts)
+    assert len(texts) == len(set(texts))
+
+
+def test_numbers_of_ellipses_do_not_run_together_in_one_column() -> None:
+    ax = answer(1, "solve", rs.SolveResult).plot_ellipses(0, width=85)
+    figure: Any = ax.figure
+    figure.draw_without_rendering()
+    numbers = [text for text in ax.texts if text.get_text().isdigit()]
+    assert {text.get_text() for text in numbers} >= {"1", "10", "20"}
+    boxes = [text.get_window_extent() for text in numbers]
+    assert not any(a.overlaps(b) for k, a in enumerate(boxes) for b in boxes[:k])
+    assert ax.get_window_extent().width > 0.6 * figure.bbox.width
+    low, high = ax.get_xlim()
+    assert high - low < 1.3 * (max(t.get_position()[0] for t in numbers) - 0.0)
 
 
 def test_a_legend_of_ones_own_says_which_line_is_of_which_interface() -> None:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from rollerscrew.plots._again import limits_of_both, next_colour, relabelled, shown_once, was_drawn
-from rollerscrew.plots._figure import keep_ticks, new_axes, of_width, panel_aspect
+from rollerscrew.plots._figure import bar_stands_below, keep_ticks, new_axes, of_width
 from rollerscrew.plots._legend import (
     characters,
     colour_bar,
@@ -28,8 +28,6 @@ from rollerscrew.plots._style import colour_scale
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-_LOW = 0.3  #: Height over width of panels whose colour bar stands below them.
 
 
 def draw(
@@ -177,7 +175,7 @@ def _draw_panels(axes: list[Axes], description: Mapping[str, Any], own: bool) ->
         if own and len(panels) > 1 and panel.get("title"):
             ax.set_title(shown(panel["title"], characters(size_of(ax)[0])))
     if scale is not None and colours is not None:
-        bar = colour_bar(axes, scale, colours, contours, below=panel_aspect(description) < _LOW)
+        bar = colour_bar(axes, scale, colours, contours, below=bar_stands_below(description))
         if own:
             bar.outline.set_linewidth(0.6)
             keep_ticks(bar.ax)

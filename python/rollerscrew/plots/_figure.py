@@ -25,7 +25,8 @@ _ASPECT_IN_SPACE = 0.85
 _LEAST, _MOST = 0.1, 1.0  #: Of what is to scale: the other axis is widened.
 _LABELS_MM = (13.0, 10.0)  #: What labels and ticks take of the width and height.
 _TITLE_MM = 4.5
-_BAR_MM = 15.0
+_BAR_MM = 15.0  #: Width of a colour bar beside the panels, or height of one below them.
+_LOW = 0.3  #: Height over width of panels whose colour bar stands below them.
 _LONG_TICK = 12  #: Characters.
 
 
@@ -96,6 +97,11 @@ def panel_aspect(description: Mapping[str, Any]) -> float:
     return _ASPECT
 
 
+def bar_stands_below(description: Mapping[str, Any]) -> bool:
+    """Whether the colour bar stands below the panels, not beside them."""
+    return panel_aspect(description) < _LOW
+
+
 def _inches(description: Mapping[str, Any]) -> tuple[float, float]:
     columns, rows = _columns(description), _rows(description)
     ticks = panel_axis(description, 0, "y").get("ticks", [])
@@ -104,13 +110,15 @@ def _inches(description: Mapping[str, Any]) -> tuple[float, float]:
     width = description.get("width_mm") or _WIDTHS_MM.get(max(columns, 1 + wide), _WIDEST_MM)
     labelled = columns if any("y" in panel for panel in description["panels"]) else 1
     room = width - labelled * _LABELS_MM[0] - (1.2 * beside if beside > 4 else 0.0)
-    room -= _BAR_MM * ("colours" in description) + 40.0 * stands_beside(description)
+    bar = _BAR_MM * ("colours" in description)
+    below = bar_stands_below(description)
+    room -= bar * (not below) + 40.0 * stands_beside(description)
     panel = room / (columns - 1 + float(description.get("overview") or 1.0))
     labelled = rows if any("x" in panel for panel in description["panels"]) else 1
     titled = any(panel.get("title") for panel in description["panels"])
     lines = 2 if panel < _LEAST_PANEL_MM[0] else 1  # Of titles, which are as long in narrow panels.
     height = rows * (panel * panel_aspect(description) + lines * _TITLE_MM * titled + 2.0)
-    return width / 25.4, (height + lines * labelled * _LABELS_MM[1]) / 25.4
+    return width / 25.4, (height + bar * below + lines * labelled * _LABELS_MM[1]) / 25.4
 
 
 def _axes(figure: Any, description: Mapping[str, Any]) -> list[Axes]:

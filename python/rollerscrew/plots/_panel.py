@@ -46,10 +46,10 @@ def draw_panel(
         look |= {"marker": "", "zorder": 0.5, "label": names.get(reference["style"], "_")}
         line = ax.axvline if reference.get("vertical") else ax.axhline
         line(reference["at"], **look)
-    for label in panel.get("labels", []):
-        _label(ax, label, over="map" in panel)
     for which, axis in (("x", x), ("y", y)):
         _axis(ax, which, axis)
+    for label in _with_room(ax, panel.get("labels", [])):
+        _label(ax, label, over="map" in panel)
     _show_marks_at_limits(ax)
     if description.get("to_scale"):
         ax.set_aspect("equal", adjustable="datalim")
@@ -159,6 +159,30 @@ def _text_size() -> float:
     from matplotlib.font_manager import FontProperties
 
     return _SMALL * FontProperties(size=matplotlib.rcParams["font.size"]).get_size_in_points()
+
+
+def _with_room(ax: Axes, labels: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """The labels; of numbers in a row without room for all, 1 and every second, fifth or tenth."""
+    numbers = [each for each in labels if each["text"].isdigit() and not each.get("in_panel")]
+    steps = [
+        after["x"] - before["x"]
+        for before, after in zip(numbers, numbers[1:], strict=False)
+        if after["y"] == before["y"]
+    ]
+    if not steps:
+        return list(labels)
+    low, high = ax.get_xlim()
+    apart = min(map(abs, steps)) / abs(high - low) * size_of(ax)[0]
+    needed = 0.21 * _text_size() * (0.8 + max(len(each["text"]) for each in numbers))
+    every = next((n for n in (1, 2, 5) if n * apart >= needed), 10)
+    return [
+        each
+        for each in labels
+        if every == 1
+        or each not in numbers
+        or each["text"] == "1"
+        or int(each["text"]) % every == 0
+    ]
 
 
 def _label(ax: Axes, label: Mapping[str, Any], over: bool) -> None:
