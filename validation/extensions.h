@@ -1,20 +1,12 @@
 #pragma once
 
-#include "prs/cli/program.h"
 #include "prs/validation/validate.h"
-#include "prs/version.h"
 
 // Code that adds to the `reference.yaml` of each source.
 
 namespace prs {
 /// Code of all sources; for those that a light program omits, only the folder.
 std::vector<SourceExtension> extensions();
-
-/// A source's formulas for diameters of the user: `prs validate --recipe`. Returns the exit status.
-int run_recipe(const cli::ValidateOptions& options);
-
-/// Origin of the documents of `prs validate`.
-inline DocumentInfo validation_info() { return {kVersion, kSchemaVersion, "", {}, "validate"}; }
 }  // namespace prs
 
 namespace prs::abevi_2015 {

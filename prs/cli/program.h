@@ -52,9 +52,7 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv);
 
 /// Arguments of `prs validate`.
 struct ValidateOptions : OutputOptions {
-  std::string file;                    ///< Folder of the sources, or the diameters of a recipe.
-  std::optional<std::string> recipe;   ///< A source's formulas for given diameters.
-  std::vector<std::string> diameters;  ///< Rows of the recipe, such as `54 mm, 27 mm, 9 mm`.
+  std::string folder;  ///< Folder of the sources.
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);
