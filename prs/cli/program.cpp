@@ -8,6 +8,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
+#include "prs/cli/resources.h"
 #include "simd/instruction_set.h"
 
 namespace prs::cli {
@@ -158,8 +159,7 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
 }
 
 void add_validate_options(CLI::App& command, ValidateOptions& options) {
-  add_value(command, "dir", options.folder, "DIR",
-            "Folder of the sources, default: those that come with the program");
+  add_value(command, "dir", options.folder, "DIR", "Folder of the sources, default: those that come with the program");
   add_output_options(command, options);
   add_png(command, options);
 }

@@ -4,6 +4,7 @@
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/measures/measures_criteria.h"
+#include "prs/measures/measures_record.h"
 #include "prs/model/check_case.h"
 #include "prs/text.h"
 

@@ -3,8 +3,12 @@
 #include <algorithm>
 
 #include "prs/model/limits.h"
+#include "prs/model/load_case_check.h"
+#include "prs/model/model_options_check.h"
 #include "prs/model/motor_duty.h"
+#include "prs/model/operation_check.h"
 #include "prs/model/quantity_text.h"
+#include "prs/model/structure_check.h"
 
 namespace prs {
 

@@ -8,6 +8,7 @@
 #include "prs/indices.h"
 #include "prs/life/rating_life.h"
 #include "validation/extensions.h"
+#include "validation/jung_2017/statements.h"
 
 namespace prs::jung_2017 {
 namespace {
@@ -318,9 +319,12 @@ Json lines_by_rollers() {
 /// A row of tables 7.1 and 7.2 as printed.
 Json row_json(const Diameters& d) {
   const Measures m = as_printed(d);
-  return {{"nut_thickness_mm", m.nut_thickness * "mm"_per_si}, {"volume_l", 1e3 * m.volume},
-          {"stiffness_N_per_mm", 1e-3 * m.stiffness},          {"load_capacity_kN", m.load_capacity * "kN"_per_si},
-          {"weight_kg", m.weight},                             {"force_density_kN_per_kg", m.force_density() * "kN"_per_si}};
+  return {{"nut_thickness_mm", m.nut_thickness * "mm"_per_si},
+          {"volume_l", 1e3 * m.volume},
+          {"stiffness_N_per_mm", 1e-3 * m.stiffness},
+          {"load_capacity_kN", m.load_capacity * "kN"_per_si},
+          {"weight_kg", m.weight},
+          {"force_density_kN_per_kg", m.force_density() * "kN"_per_si}};
 }
 
 Json formulas(const Reference& thesis) {

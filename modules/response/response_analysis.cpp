@@ -1,5 +1,8 @@
 #include "modules/response/response_analysis.h"
 
+#include "modules/response/response_figures.h"
+#include "modules/response/response_table.h"
+
 namespace prs {
 namespace {
 
