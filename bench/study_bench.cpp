@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/input/study_reader.h"
+#include "prs/input/optimize_reader.h"
 #include "prs/run/study.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/study_files.h"

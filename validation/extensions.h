@@ -1,30 +1,18 @@
 #pragma once
 
-#include "prs/cli/program.h"
 #include "prs/validation/validate.h"
-#include "prs/version.h"
 
 // Code that adds to the `reference.yaml` of each source.
 
 namespace prs {
 /// Code of all sources; for those that a light program omits, only the folder.
 std::vector<SourceExtension> extensions();
-
-/// A source's formulas for diameters of the user: `prs validate --recipe`. Returns the exit status.
-int run_recipe(const cli::ValidateOptions& options);
-
-/// Origin of the documents of `prs validate`.
-inline DocumentInfo validation_info() { return {kVersion, kSchemaVersion, "", {}, "validate"}; }
 }  // namespace prs
 
 namespace prs::abevi_2015 {
 /// The statements in words.
 SourceExtension extension();
 
-/// Statements of Abevi et al. 2015 in words about their screw, compared with its solutions: CONFIG 1 to 3, tension and
-/// compression, flexible and rigid rollers, loads up to 45 kN, for the guidance of the paper and its alternatives.
-/// `screw` is the paper's screw; its load cases are not used.
-std::vector<ComparedStatement> compare_statements(const Case& screw, const Reference& paper);
 }  // namespace prs::abevi_2015
 
 namespace prs::jung_2017 {

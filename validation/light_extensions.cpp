@@ -1,4 +1,3 @@
-#include "modules/module.h"
 #include "validation/extensions.h"
 
 namespace prs {
@@ -9,7 +8,5 @@ std::vector<SourceExtension> extensions() {
     all.push_back({.folder = folder, .is_built = false});
   return all;
 }
-
-int run_recipe(const cli::ValidateOptions&) { throw modules::NotBuilt("prs validate --recipe"); }
 
 }  // namespace prs

@@ -29,21 +29,20 @@ int wrong_input(const std::string& message) {
   return kWrongInput;
 }
 
-/// `options.file` is the folder of the sources.
 int validate(const Options& options) {
-  if (!std::filesystem::is_directory(options.file))
+  if (!std::filesystem::is_directory(options.folder))
     return wrong_input(
-        fmt::format("prs: error: {}: no such folder; give the folder of the sources as DIR\n", options.file));
+        fmt::format("prs: error: {}: no such folder; give the folder of the sources as DIR\n", options.folder));
   ProgressLine line(options.quiet);
   const auto progress = [&](const std::string& source, std::size_t done, std::size_t all) {
     line.tell(fmt::format("{} of {} sources done; {}", done, all, source));
   };
-  const std::vector<prs::SourceReport> reports = prs::validate(options.file, prs::extensions(), progress);
+  const std::vector<prs::SourceReport> reports = prs::validate(options.folder, prs::extensions(), progress);
   line.clear();
   if (reports.empty())
     return wrong_input(fmt::format(
-        "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n", options.file));
-  const std::string document = prs::json_text(prs::validation_json(reports, prs::validation_info()));
+        "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n", options.folder));
+  const std::string document = prs::json_text(prs::validation_json(reports, {prs::kVersion, prs::kSchemaVersion, "", {}, "validate"}));
   if (options.output) write(reports, document, options);
   if (options.json) {
     print(document);
@@ -61,9 +60,8 @@ int run_command(int argc, char** argv) {
   add_validate_options(app, options);
   if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
-  if (!options.recipe && options.file.empty()) options.file = data_folder("validation").string();
-  return run_recorded([&] { return options.recipe ? prs::run_recipe(options) : validate(options); }, options,
-                      "validate", "", {});
+  if (options.folder.empty()) options.folder = data_folder("validation").string();
+  return run_recorded([&] { return validate(options); }, options, "validate", "", {});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "modules/fit/fit.h"
+#include "modules/fit/fit_evaluation.h"
 #include "prs/optimize/optimize_files.h"
 
 /// Study functions used by a fit. Its module is missing here, so that they are never called.

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <map>
 
+#include "modules/fit/fit_evaluation.h"
+#include "modules/fit/fit_reader.h"
 #include "prs/input/force_history.h"
 #include "prs/optimize/optimize_files.h"
 #include "prs/record/record_table.h"

@@ -1,6 +1,7 @@
+#include "modules/fit/fit_evaluation.h"
+
 #include <mutex>
 
-#include "modules/fit/fit.h"
 #include "modules/response/response_analysis.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"

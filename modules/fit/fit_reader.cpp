@@ -1,7 +1,8 @@
+#include "modules/fit/fit_reader.h"
+
 #include <charconv>
 #include <set>
 
-#include "modules/fit/fit.h"
 #include "modules/response/response_analysis.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"

@@ -1,4 +1,4 @@
-#include "modules/response/response_analysis.h"
+#include "modules/response/response_figures.h"
 
 namespace prs {
 namespace {

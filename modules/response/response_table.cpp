@@ -1,4 +1,5 @@
-#include "modules/response/response_analysis.h"
+#include "modules/response/response_table.h"
+
 #include "prs/loads/case_table.h"
 
 namespace prs {

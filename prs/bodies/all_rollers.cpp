@@ -1,4 +1,5 @@
-#include "prs/bodies/body_solver.h"
+#include "prs/bodies/all_rollers.h"
+
 #include "prs/mechanism/full_influence.h"
 
 namespace prs {

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "prs/bodies/meshed.h"
+#include "prs/bodies/one_dimensional.h"
 
 namespace prs {
-
-extern const BodySolver kOneDimensional;
 
 /// All models of the bodies with their solvers: reader, schema, `compare` and analyses know them from here.
 inline constexpr struct {

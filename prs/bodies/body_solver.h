@@ -78,10 +78,4 @@ struct BodySolver {
 /// The solver of the bodies that the conditions ask for.
 const BodySolver& body_solver(const Conditions& c);
 
-// Models of all rollers for kOneDimensional and kMeshed, in all_rollers.cpp.
-std::unique_ptr<RollersOnBodies> rollers_on_beams(const LoadedMechanism& of, const MakeModel& model,
-                                                  FullSolver& solver);
-std::unique_ptr<RollersOnBodies> rollers_on_meshes(const LoadedMechanism& of, const MakeModel& model,
-                                                   FullSolver& solver);
-
 }  // namespace prs

@@ -1,6 +1,6 @@
 #include "prs/bodies/meshed.h"
 
-#include "prs/bodies/body_solver.h"
+#include "prs/bodies/all_rollers.h"
 #include "prs/sector/influence/influence_solver.h"
 
 namespace prs {

@@ -1,5 +1,6 @@
-#include "prs/bodies/body_models.h"
-#include "prs/bodies/body_solver.h"
+#include "prs/bodies/one_dimensional.h"
+
+#include "prs/bodies/all_rollers.h"
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/roller_guides.h"
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "prs/cli/help.h"
 #include "prs/cli/printing.h"
 #include "prs/configurations/new_case.h"
 #include "prs/input/did_you_mean.h"

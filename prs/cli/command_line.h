@@ -57,33 +57,6 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv);
 /// Prints an error of the command line, with the help to read; returns the exit status.
 int report_usage(const CLI::App& app, std::string_view message);
 
-/// Last word of a name: `merge` of `prs study merge`.
-std::string last_word(const CommandText& command);
-/// `prs solve [OPTIONS] FILE`.
-std::string usage(const CommandText& command);
-
-/// Output of `prs help COMMAND`.
-std::string help_text(const CommandText& command);
-
-/// Help for programs: names, arguments, options and commands, each with its help.
-nlohmann::ordered_json help_json(const CommandText& command);
-
-/// The commands by purpose: output of the program without arguments.
-std::string overview(const CommandText& program);
-
-/// The manual page of a command in roff, as `man -l` reads it.
-std::string manual_page(const CommandText& command, std::string_view version);
-
-/// File name of the manual page: `prs-study-merge.1`.
-std::string manual_file(const CommandText& command);
-
-// Scripts with which shells complete the commands, options, words and files of the program. Words that only the program
-// knows, such as the paths of `--set`, come from `prs list`.
-
-std::string bash_completion(const CommandText& program);
-std::string zsh_completion(const CommandText& program);
-std::string fish_completion(const CommandText& program);
-
 /// Error of the command line. `what()` says what was found, what is allowed and how to fix it; the handler adds the
 /// help of the command.
 class UsageError : public std::runtime_error {

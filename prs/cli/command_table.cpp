@@ -3,10 +3,18 @@
 #include <cstdio>
 #include <iostream>
 
-#include "prs/cli/command_line.h"
+#include "prs/cli/completion.h"
+#include "prs/cli/export.h"
+#include "prs/cli/help.h"
+#include "prs/cli/list.h"
+#include "prs/cli/new_case.h"
 #include "prs/cli/program.h"
+#include "prs/cli/report.h"
+#include "prs/cli/size.h"
+#include "prs/cli/study.h"
 #include "prs/input/schema.h"
 #include "prs/loads/load_analysis.h"
+#include "prs/run/analyses.h"
 #include "prs/run/compare_cases.h"
 #include "prs/run/document_schema.h"
 #include "prs/version.h"

@@ -67,36 +67,6 @@ input::Source case_source(const Options& options);
 int run_case(const AnyAnalysis& row, const Options& options);
 /// Compares the models of the bodies on a case, or two cases.
 int compare(const Options& options);
-int study(const Options& options);
-/// Writes the files of a study from the journals in `options.folders`.
-int merge_study(const Options& options);
-/// Lists the geometries that a screw diameter and a lead allow.
-int configurations(const Options& options);
-/// Multi-objective design: writes the Pareto front and the chosen design of the file's `optimize`.
-int optimize(const Options& options);
-/// Finds the unknown inputs of the file's `fit` from its curves.
-int fit(const Options& options);
-/// Writes all results of a case as one page.
-int report(const Options& options);
-/// Writes that page, to a temporary folder if no file is named, and opens it.
-int explore(const Options& options);
-/// Writes the whole program as one page, with or without a file to start with.
-int workbench(const Options& options);
-/// Writes models of the screw for other programs.
-int export_model(const Options& options);
 int schema(const Options& options);
-/// Chooses screws for a requirement, and writes one of them as a case.
-int size(const Options& options);
-/// Prints title, formula, validity and source of the measure or the path of a result in `options.explain`; of every
-/// measure if it is empty.
-int explain(const Options& options);
-/// Words that `prs list` takes, `commands`, .., each with its meaning.
-std::vector<std::string> list_words();
-std::string list_help();
-/// Prints possible choices: one name per line with its meaning, or one document.
-int list(const Options& options);
-void add_new_options(CLI::App& command, NewOptions& options);
-/// Prints a commented case, or writes it to a new file; or copies a lesson.
-int new_case(const Options& options);
 
 }  // namespace prs::cli

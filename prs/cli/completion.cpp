@@ -1,4 +1,4 @@
-#include "prs/cli/command_line.h"
+#include "prs/cli/completion.h"
 
 #include <fmt/ranges.h>
 
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "prs/cli/commands.h"
+#include "prs/cli/help.h"
 #include "prs/embed.h"
 
 PRS_EMBED(bash_script, "prs/cli/completion.bash")

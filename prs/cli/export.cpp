@@ -1,8 +1,10 @@
+#include "prs/cli/export.h"
+
 #include <system_error>
 
 #include "modules/response/response.h"
 #include "prs/cli/command_line.h"
-#include "prs/cli/commands.h"
+#include "prs/export/fmu.h"
 #include "prs/export/robot.h"
 #include "prs/sha256.h"
 #include "prs/text.h"

@@ -1,4 +1,4 @@
-#include "prs/cli/command_line.h"
+#include "prs/cli/help.h"
 
 #include <fmt/ranges.h>
 

@@ -1,13 +1,15 @@
+#include "prs/cli/list.h"
+
 #include "prs/cli/command_line.h"
-#include "prs/cli/commands.h"
 #include "prs/cli/package.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/schema.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/run/analyses.h"
 #include "prs/run/document_schema.h"
-#include "prs/run/lists.h"
+#include "prs/run/response_lists.h"
 #include "prs/size/requirement.h"
 #include "prs/text.h"
 

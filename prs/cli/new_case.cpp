@@ -1,11 +1,13 @@
+#include "prs/cli/new_case.h"
+
 #include <fmt/ranges.h>
 
 #include "prs/cli/command_line.h"
-#include "prs/cli/commands.h"
 #include "prs/cli/package.h"
 #include "prs/cli/program.h"
 #include "prs/configurations/configurations_files.h"
 #include "prs/configurations/new_case.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/version.h"
 
 namespace prs::cli {

@@ -8,6 +8,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
+#include "prs/cli/resources.h"
 #include "simd/instruction_set.h"
 
 namespace prs::cli {
@@ -158,15 +159,7 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
 }
 
 void add_validate_options(CLI::App& command, ValidateOptions& options) {
-  add_value(command, "dir", options.file, "DIR|FILE",
-            "Folder of the sources, default: those that come with the program; with --recipe "
-            "a file of diameters, YAML or CSV");
-  CLI::Option* recipe = add_value(command, "--recipe", options.recipe, "NAME",
-                                  "Compute a source's table for other diameters: "
-                                  "jung-as-printed (with its slips) or jung-corrected");
-  take_each(add_value(command, "--diameters", options.diameters, "ROW",
-                      "Nut (outer), screw and roller, e.g. \"54 mm, 27 mm, 9 mm\"; repeatable"))
-      ->needs(recipe);
+  add_value(command, "dir", options.folder, "DIR", "Folder of the sources, default: those that come with the program");
   add_output_options(command, options);
   add_png(command, options);
 }

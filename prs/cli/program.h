@@ -39,22 +39,13 @@ void add_csv_options(CLI::App& command, CsvStyle& style);
 int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,
                  const std::string& case_file, const std::vector<std::string>& overrides);
 
-/// Keeps the matrices of `influence` between runs, and shows how many are being computed.
-void open_matrix_cache(bool quiet);
-/// Reason why they could not be kept; empty if they were.
-std::string matrix_cache_refusal();
-/// Reports early that the module for PNG files is missing. Throws modules::Missing.
-void require_png();
-
 /// Main function of a program: makes the streams safe to write to, and turns exceptions of `run` into exit statuses and
 /// lines on standard error.
 int run_program(int (*run)(int argc, char** argv), int argc, char** argv);
 
 /// Arguments of `prs validate`.
 struct ValidateOptions : OutputOptions {
-  std::string file;                    ///< Folder of the sources, or the diameters of a recipe.
-  std::optional<std::string> recipe;   ///< A source's formulas for given diameters.
-  std::vector<std::string> diameters;  ///< Rows of the recipe, such as `54 mm, 27 mm, 9 mm`.
+  std::string folder;  ///< Folder of the sources.
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);

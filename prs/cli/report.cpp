@@ -1,3 +1,5 @@
+#include "prs/cli/report.h"
+
 #include "prs/page/page.h"
 
 #include <spawn.h>
@@ -6,7 +8,6 @@
 #include <system_error>
 
 #include "prs/cli/command_line.h"
-#include "prs/cli/commands.h"
 #include "prs/cli/package.h"
 #include "prs/loads/load_analysis.h"
 

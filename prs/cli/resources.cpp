@@ -1,6 +1,7 @@
+#include "prs/cli/resources.h"
+
 #include "prs/sector/influence/matrix_cache.h"
 
-#include "prs/cli/program.h"
 #include "prs/components/components.h"
 
 namespace prs::cli {

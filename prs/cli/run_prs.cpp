@@ -1,7 +1,7 @@
 #include "prs/cli/run_prs.h"
 
-#include "prs/cli/command_line.h"
 #include "prs/cli/command_table.h"
+#include "prs/cli/help.h"
 #include "prs/cli/package.h"
 #include "prs/cli/program.h"
 

@@ -1,6 +1,6 @@
+#include "prs/cli/size.h"
 
 #include "prs/cli/command_line.h"
-#include "prs/cli/commands.h"
 #include "prs/size/size_analysis.h"
 
 namespace prs::cli {

@@ -1,14 +1,17 @@
+#include "prs/cli/study.h"
+
 #include <system_error>
 
 #include "modules/fit/fit_analysis.h"
 #include "prs/cli/command_line.h"
-#include "prs/cli/commands.h"
 #include "prs/cli/interruption.h"
-#include "prs/optimize/optimize_files.h"
+#include "prs/input/optimize_reader.h"
+#include "prs/optimize/optimize_pictures.h"
 #include "prs/run/study.h"
 #include "prs/study/response.h"
-#include "prs/study/study_files.h"
+#include "prs/study/study_json.h"
 #include "prs/study/study_pictures.h"
+#include "prs/study/study_table.h"
 #include "prs/version.h"
 
 namespace prs::cli {

@@ -1,12 +1,14 @@
 #include "prs/compare/compare_analysis.h"
 
-#include "prs/compare/reference_analysis.h"
+#include "prs/compare/compare_references.h"
+#include "prs/compare/reference_figures.h"
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"
 #include "prs/record/csv_rows.h"
+#include "prs/reference/reference_reader.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -49,9 +49,4 @@ ModelComparison compare_models(const Case& c);
 /// The case with the settings of one of its models.
 Case case_of(const Case& c, const Result& model);
 
-/// Adds the references of a case with the results of each model, and warnings on sums that the load does not explain.
-/// Throws InputError.
-void compare_references(const input::Source& source, const Case& c, std::vector<ReferenceCurve> references,
-                        ModelComparison& comparison);
-
 }  // namespace prs

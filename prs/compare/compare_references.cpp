@@ -1,8 +1,10 @@
-#include "prs/compare/compare_models.h"
+#include "prs/compare/compare_references.h"
+
 #include "prs/indices.h"
 #include "prs/input/readings.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/record/response_path.h"
+#include "prs/reference/referenced_analyses.h"
 
 namespace prs {
 namespace {

@@ -28,12 +28,4 @@ std::string references_csv(const ModelComparison& c, const CsvStyle& style);
 /// Statistics as a table of the page.
 PageTable reference_page_table(const ModelComparison& c);
 
-/// References as points, with bars if their deviation is known, and models as lines: a panel per load case and
-/// response, a figure for each quantity.
-Figures reference_figures(const ModelComparison& c, const FigureOptions& options);
-
-/// References over the threads, tension to one side and compression to the other: a panel per
-/// configuration and response.
-Figures reference_butterfly(const ModelComparison& c, bool tension_to_left);
-
 }  // namespace prs

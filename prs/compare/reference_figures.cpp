@@ -1,4 +1,5 @@
-#include "prs/compare/reference_analysis.h"
+#include "prs/compare/reference_figures.h"
+
 #include "prs/indices.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/table_units.h"

@@ -14,6 +14,7 @@ namespace {
 constexpr double kPressureAngle = std::numbers::pi / 9;
 constexpr int kFewestTeeth = 12, kMostTeeth = 40;
 constexpr double kMostShift = 1.0;
+constexpr int kFewestContacts = 3;
 
 /// ISO 54, and DIN 780-1 below 1 mm, from 0.2 to 10 mm [m].
 constexpr double kSeries1[] = {0.2e-3,  0.25e-3, 0.3e-3, 0.4e-3, 0.5e-3, 0.6e-3, 0.7e-3, 0.8e-3, 0.9e-3, 1e-3,
@@ -72,18 +73,20 @@ double screw_diameter_of(const ConfigurationQuery& query, Mechanism::Type type, 
   return nut / (1.0 + 2.0 * rolling_diameter(type, 1.0, starts));
 }
 
-Mechanism draft(const ConfigurationQuery& query, Mechanism::Type type, Mechanism::Starts starts) {
+/// A mechanism with its fewest rollers and contacts and one flank angle; the rollers' diameter counts if they have
+/// grooves.
+Mechanism draft(Mechanism::Type type, double lead, Mechanism::Starts starts, double flank_angle, double screw_diameter,
+                double roller_diameter) {
   Mechanism m;
   m.type = type;
   m.geometry = Mechanism::Geometry::design;
-  m.lead = query.lead;
+  m.lead = lead;
   m.starts = starts;
-  m.flank_angle = {query.flank_angle, query.flank_angle, query.flank_angle};
-  const double diameter = screw_diameter_of(query, type, starts);
-  m.pitch_diameter.screw = diameter;
-  if (contact::is_grooved(type)) m.pitch_diameter.roller = rolling_diameter(type, diameter, starts);
-  m.rollers = query.rollers.value_or(fewest_rollers(type));
-  m.contacts_per_roller = proposed_contacts(diameter, axial_pitch(m));
+  m.flank_angle = {flank_angle, flank_angle, flank_angle};
+  m.pitch_diameter.screw = screw_diameter;
+  if (contact::is_grooved(type)) m.pitch_diameter.roller = roller_diameter;
+  m.rollers = fewest_rollers(type);
+  m.contacts_per_roller = kFewestContacts;
   return m;
 }
 
@@ -136,8 +139,10 @@ Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechan
     return {
         "roller and nut can only have the same helix angle with more than two screw starts for "
         "each roller start"};
-  c.mechanism = draft(query, type, starts);
-  const double screw = *c.mechanism.pitch_diameter.screw, roller = rolling_diameter(type, screw, starts);
+  const double screw = screw_diameter_of(query, type, starts), roller = rolling_diameter(type, screw, starts);
+  c.mechanism = draft(type, query.lead, starts, query.flank_angle, screw, roller);
+  c.mechanism.rollers = query.rollers.value_or(c.mechanism.rollers);
+  c.mechanism.contacts_per_roller = proposed_contacts(screw, axial_pitch(c.mechanism));
   if (!(screw > 0.0)) return {"the nut is thinner than its wall"};
   c.rolling_diameter = {screw, roller, screw + 2.0 * roller};
   if (roller > screw * (1.0 + 1e-9)) return {"the rollers would be thicker than the screw"};
@@ -253,7 +258,7 @@ Configurations configurations(const ConfigurationQuery& query) {
 
 namespace {
 
-constexpr int kFewestContacts = 3, kMostContacts = 10'000;
+constexpr int kMostContacts = 10'000;
 constexpr int kStartsLimit = 100, kMostUsualStarts = 10;
 constexpr double kFinestPitch = 0.002, kUsualPitch = 0.1, kCoarsestPitch = 1.0;  // over d_R
 constexpr double kThickestNut = 100.0;                                           // over d_N
@@ -275,22 +280,6 @@ struct Threads {
   int most_rollers = 0;
   std::string reason = {};  ///< Reason why nothing rolls.
 };
-
-Mechanism draft_of(const ScrewData& d, int starts) {
-  const double pitch = std::abs(d.lead) / starts;
-  Mechanism m;
-  m.type = d.type;
-  m.geometry = Mechanism::Geometry::design;
-  m.lead = d.lead;
-  m.starts = {starts, contact::is_grooved(d.type) ? 0 : d.roller_starts};
-  m.flank_angle = {d.flank_angle, d.flank_angle, d.flank_angle};
-  m.pitch_diameter.screw = d.screw_diameter;
-  if (contact::is_grooved(d.type)) m.pitch_diameter.roller = roller_diameter(d, starts);
-  m.profile.roller = {Profile::Shape::convex, d.roller_profile_radius.value_or(kProfileRadius * pitch)};
-  m.rollers = fewest_rollers(d.type);
-  m.contacts_per_roller = kFewestContacts;
-  return m;
-}
 
 /// Reason why contacts cannot roll without play; empty if they can.
 std::string obstacle(const Mechanism& m, std::optional<Contacts>& contacts) {
@@ -317,8 +306,12 @@ ThreadHeight thread_height(const contact::Thread& thread, double nominal_radius,
 }
 
 Threads threads_for(const ScrewData& d, int starts) {
-  Threads t{draft_of(d, starts), {}};
-  const double pitch = axial_pitch(t.mechanism), roller = roller_diameter(d, starts);
+  const double roller = roller_diameter(d, starts);
+  Threads t{draft(d.type, d.lead, {starts, contact::is_grooved(d.type) ? 0 : d.roller_starts}, d.flank_angle,
+                  d.screw_diameter, roller),
+            {}};
+  const double pitch = axial_pitch(t.mechanism);
+  t.mechanism.profile.roller = {Profile::Shape::convex, d.roller_profile_radius.value_or(kProfileRadius * pitch)};
   if (!(pitch >= kFinestPitch * roller * (1.0 - 1e-9) && pitch <= kCoarsestPitch * roller)) {
     t.reason = fmt::format("the pitch is {} on rollers of {}", mm(pitch), mm(roller));
     return t;

@@ -248,34 +248,10 @@ inline constexpr double kSteelConductivity = 46.0;
 /// Grease in the gaps and the motion of the contacts, which both conduct more, are left out.
 Heat::Conductance estimated_conductance(const CompleteScrew& screw, double shaft_length);
 
-/// Lubricant of a written case.
-struct CaseLubricant {
-  std::string name = "iso-vg-100";
-  double temperature = 333.15;              ///< [K]
-  std::string temperature_as_written = {};  ///< Empty if it is assumed.
-  bool assumed = true;                      ///< Whether the name is assumed.
-};
-
-/// The screw as a commented case with all inputs of every command except `preload`, `study` and `optimize`. `origin`
-/// says in its first lines where the data come from. A full mechanism has supports and lateral loads as well. Throws
-/// CaseError if `prs life` would refuse it.
-std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant, const std::string& origin,
-                       ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
-
-/// First half of the case: heading, mechanism, structure and materials.
-std::string screw_text(const CompleteScrew& screw, const std::string& origin,
-                       ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
-
-/// The screw with the values of those lines, whose digits are limited.
-CompleteScrew as_written(CompleteScrew screw);
-
 /// Lemor's capacity, which `prs life` needs [N]. Throws CaseError if the ratio of diameters is outside of it.
 double required_capacity(const CompleteScrew& screw);
 
 /// Data of the screw of a line of `prs configurations`.
 ScrewData data_of(const Configuration& c);
-
-/// A line of `prs configurations` as a commented case.
-std::string configuration_case(const Configuration& c);
 
 }  // namespace prs

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "prs/configurations/configurations_files.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/units.h"
 #include "prs/model/quantity_text.h"

@@ -1,3 +1,4 @@
+#include "prs/configurations/screw_case.h"
 
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/units.h"

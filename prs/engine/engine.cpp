@@ -8,7 +8,7 @@
 
 #include "prs/configurations/new_case.h"
 #include "prs/report/report.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/size/size.h"
 
 namespace prs {

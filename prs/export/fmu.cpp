@@ -1,10 +1,9 @@
-
+#include "prs/export/fmu.h"
 
 #include <sstream>
 
 #include "modules/response/response.h"
 #include "prs/embed.h"
-#include "prs/export/system_model.h"
 #include "prs/export/zip.h"
 #include "prs/report/report.h"
 #include "prs/sha256.h"

@@ -35,15 +35,6 @@ std::string model_name(const std::string& case_file);
 /// Sentences on the ends of the curves and on their accuracy.
 std::string curves_text(const SystemCurves& curves);
 
-/// A co-simulation unit of FMI 2.0: a ZIP archive. The same curves and text give the same bytes.
-/// Inputs `deflection` [m] and `speed` [rad/s], outputs `force` [N], `stiffness` [N/m] and `torque`
-/// [N m]. A unit with its drive has states, and the inputs and outputs of docs/response.md.
-std::string functional_mockup_unit(const SystemModel& model);
-
-/// A Modelica package of the same curves: block `Curves` with the same inputs and outputs, and
-/// `Screw` between a rotational and a translational flange.
-std::string modelica_package(const SystemCurves& curves, const ModelText& text);
-
 /// Deflections, forces, stiffnesses and torques of the curves.
 nlohmann::ordered_json curves_json(const SystemCurves& curves);
 

@@ -33,7 +33,7 @@ void alternatives(Choices& io, Guidance& g) {
   io("both_end_nodes", g.kind, Guidance::Kind::both_end_nodes,
      "no radial displacement at both nodes of each end element");
   io("outer_node", g.kind, Guidance::Kind::outer_node, "no radial displacement at the two outermost nodes");
-  io("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness, Quantity{unit::stiffness, positive},
+  io("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness, Quantity{unit::stiffness, {.least = 1.0}},
      "a radial spring of this stiffness at both nodes of each end element", Keys{[&g](const Fields& further) {
        further("clearance", g.clearance, Quantity{unit::length, not_negative},
                "Radial displacement of a node up to which its spring takes no force");
@@ -447,7 +447,9 @@ void fields(const Fields& io, Structure& s) {
 }
 
 void fields(const Fields& io, Material& m) {
-  io("youngs_modulus", m.youngs_modulus, Quantity{unit::pressure, positive}, required, "Young's modulus");
+  // Moduli from rubber to bodies that are as good as rigid; others have a wrong unit.
+  io("youngs_modulus", m.youngs_modulus, Quantity{unit::pressure, {.least = 1e6, .greatest = 1e18}}, required,
+     "Young's modulus");
   io("poisson_ratio", m.poisson_ratio, Number{{.least = 0.0, .greatest = 0.5, .greatest_excluded = true}}, required,
      "Poisson's ratio");
   io("density", m.density, Quantity{unit::density, positive}, "Density");

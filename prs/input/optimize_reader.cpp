@@ -1,4 +1,4 @@
-#include "prs/input/study_reader.h"
+#include "prs/input/optimize_reader.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "prs/input/study_reader.h"
+#include "prs/input/study_envelope.h"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include "prs/indices.h"
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
+#include "prs/input/study_envelope.h"
 #include "prs/input/varied_input.h"
 
 namespace prs::input {

@@ -40,12 +40,4 @@ struct OptimizeInput {
   std::vector<std::string> asked_at;  ///< Places in the document at which each response is first named.
 };
 
-/// Reads the optimization of a source and checks it: the file's own design in full, and that each value of each
-/// variable, or its ends, can be read at their places. Throws InputError, which names every error found.
-OptimizeInput read_optimize_input(const Source& source);
-
-/// Reads the envelope of a study whose factors have been read, and adds the responses that it needs. Adds an error for
-/// each value that does not fit the factors.
-void read_envelope(const EnvelopeItem& item, const Node& root, Study& study, ErrorList& errors);
-
 }  // namespace prs::input

@@ -1,4 +1,5 @@
-#include "prs/loads/load_pictures.h"
+#include "prs/loads/contact_figures.h"
+
 #include "prs/loads/load_record.h"
 #include "prs/record/table_units.h"
 

@@ -5,8 +5,8 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_criteria.h"
-#include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/loads/mechanism_figures.h"
 #include "prs/record/csv_rows.h"
 #include "prs/text.h"
 

@@ -52,22 +52,6 @@ bool has_shares(const LoadCaseResult& result);
 /// The figure with values from zero on.
 Figure from_zero(Figure figure);
 
-/// A thread of a load case; its index counts over all rollers, from 0.
-struct ChosenThread {
-  const LoadCaseResult* load_case = nullptr;
-  std::size_t thread = 0;
-
-  const InterfaceLoads& at(Interface i) const { return (*load_case->threads)[i]; }
-  bool has_ellipse(Interface i) const { return thread < at(i).semi_minor.size() && at(i).semi_minor[thread] > 0.0; }
-};
-
-/// The thread that the options name, else the most loaded; none without a load case for which `has` is true.
-std::optional<ChosenThread> chosen_thread(const Result& result, const FigureOptions& options,
-                                          bool (*has)(const LoadCaseResult&));
-
-/// Label of the semi-axes of an ellipse [mm].
-std::string semi_axes_text(double a, double b);
-
 /// Whether the case is solved with all rollers.
 bool has_rollers(const LoadCaseResult& result);
 
@@ -81,18 +65,10 @@ struct OfThreads {
 Figure map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
                       const OfThreads& of);
 
-/// Pictures of travels and modes.
-Pictures motion_pictures(const Result& result);
-
 // Pictures of each command. The result must outlive the list.
 Pictures contact_pictures(const Result& result);
 Pictures solve_pictures(const Result& result, bool butterflies_of_load = false);
-/// Sections of the threads through their contacts, and the contact ellipses.
-Pictures contact_drawings(const Result& result);
 /// Pictures of all rollers; full mechanism only.
 Pictures roller_pictures(const Result& result);
-/// Drawings of the mechanism, made by name only.
-Pictures drawings(const Case& c, const Result& result);
-Pictures with_drawings(Pictures pictures, const Case& c, const Result& result);
 
 }  // namespace prs

@@ -1,6 +1,8 @@
+#include "prs/loads/mechanism_figures.h"
+
 #include "prs/indices.h"
+#include "prs/loads/contact_figures.h"
 #include "prs/loads/full_result.h"
-#include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/table_units.h"
 

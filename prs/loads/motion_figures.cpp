@@ -1,7 +1,8 @@
+#include "prs/loads/motion_figures.h"
+
 #include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 
 namespace prs {

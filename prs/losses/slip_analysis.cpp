@@ -4,7 +4,7 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
-#include "prs/loads/load_pictures.h"
+#include "prs/loads/mechanism_figures.h"
 #include "prs/losses/slip_criteria.h"
 #include "prs/losses/slip_figures.h"
 #include "prs/losses/slip_table.h"

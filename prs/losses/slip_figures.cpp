@@ -2,7 +2,7 @@
 
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
-#include "prs/loads/load_pictures.h"
+#include "prs/loads/mechanism_figures.h"
 #include "prs/record/table_units.h"
 #include "prs/slip/slip_warnings.h"
 

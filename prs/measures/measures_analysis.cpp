@@ -5,6 +5,7 @@
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/measures/measures_criteria.h"
+#include "prs/measures/measures_record.h"
 #include "prs/model/check_case.h"
 #include "prs/record/csv_rows.h"
 #include "prs/text.h"

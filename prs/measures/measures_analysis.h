@@ -38,8 +38,4 @@ struct Computed {
   bool thread_loads = false;        ///< Whether `prs solve` computes those of every load case.
 };
 
-/// Keys of measures that estimate computed quantities. They are shown on request only, so that each quantity has one
-/// headline.
-std::vector<std::string> estimates_beside(const Computed& computed);
-
 }  // namespace prs

@@ -1,7 +1,8 @@
+#include "prs/measures/measures_record.h"
+
 #include <initializer_list>
 
 #include "prs/input/document.h"
-#include "prs/measures/measures_analysis.h"
 
 namespace prs {
 

@@ -4,8 +4,12 @@
 
 #include "prs/model/criterion.h"
 #include "prs/model/limits.h"
+#include "prs/model/load_case_check.h"
+#include "prs/model/model_options_check.h"
 #include "prs/model/motor_duty.h"
+#include "prs/model/operation_check.h"
 #include "prs/model/quantity_text.h"
+#include "prs/model/structure_check.h"
 
 namespace prs {
 

@@ -14,59 +14,8 @@ std::vector<Problem> check_case(const Case& c);
 /// optimization needs what the command of its designs needs.
 std::vector<Problem> missing(const Case& c, Command command);
 
-// Checks of the blocks of a case, each in the file of its block. `check_case` calls them in order.
-
-void check_threads(const Mechanism& m, Problems& problems);
-/// Whether the threads reach each other and the rollers clear each other.
-void check_meshing(const Mechanism& m, Problems& problems);
-
-void check_structure(const Structure& s, const Mechanism& m, Problems& problems);
-
-/// Checks of inputs that only some models of the bodies take.
-void check_bodies(const Case& c, Problems& problems);
-/// Refuses a stated thread thickness for `refined` and `influence`, whose teeth are half a pitch thick.
-void check_thickness(const Case& c, Problems& problems);
-
-/// Checks of inputs that only a full mechanism takes, and of those that it does not take yet.
-void check_full_mechanism(const Case& c, Problems& problems);
-
-void check_load_cases(const Case& c, Problems& problems);
-/// Requirements of `model: {loads: running}`.
-void check_loads(const Case& c, Problems& problems);
-/// The roller's contacts, from the first at the position, must lie on the nut. `block` states it.
-void check_position(std::string_view block, double position, const Mechanism& m, const Structure::Nut& nut,
-                    Problems& problems);
-/// A section must hold the nut under a load of this sense.
-void check_thrust(Direction direction, std::string_view load, const Structure::Nut& nut, Problems& problems);
-
-void check_deviations(const Case& c, Problems& problems);
-/// An axial or radial offset of threads must lie within `kMostDeviation`.
-void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems);
-
-/// Requires a viscosity, or a temperature from which it follows: the one in the file, or any with `heat`.
-void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Problems& problems);
-void check_carrier(const Carrier& carrier, Problems& problems);
-
-void check_preload(const Case& c, Problems& problems);
-void check_life(const Case& c, Problems& problems);
-void check_heat(const Case& c, Problems& problems);
-void check_measures(const Case& c, Problems& problems);
 /// Signals from files are left out until their points are known.
 void check_response(const Case& c, Problems& problems);
-
-// Requirements of `slip` for the blocks that it reads.
-
-void require_preload(const Case& c, Problems& problems);
-/// Requirements of the temperatures of `preload` if the case states `heat`.
-void require_warm_preload(const Case& c, Problems& problems);
-/// Requirements of `slip` for the law of friction and the bearings of the roller heads.
-void require_friction(const Conditions& c, Problems& problems);
-/// Requirements of `slip`. `may_rest`: whether a speed of 0 is allowed; slip then computes the torques that hold the
-/// screw.
-void require_slip(const Conditions& c, Problems& problems, bool may_rest = false);
-/// Requirements of `slip` if the case states `heat`.
-void require_heat(const Case& c, Problems& problems);
-void require_expansion(const Case& c, Problems& problems);
 
 inline constexpr std::string_view kMaterialsExample = "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";
 

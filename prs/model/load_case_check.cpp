@@ -1,8 +1,11 @@
+#include "prs/model/load_case_check.h"
+
 #include <algorithm>
 #include <unordered_set>
 
-#include "prs/model/check_case.h"
+#include "prs/model/operation_check.h"
 #include "prs/model/quantity_text.h"
+#include "prs/model/structure_check.h"
 
 namespace prs {
 namespace {

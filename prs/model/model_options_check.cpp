@@ -1,8 +1,10 @@
+#include "prs/model/model_options_check.h"
+
 #include <algorithm>
 
-#include "prs/model/check_case.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
+#include "prs/model/structure_check.h"
 
 namespace prs {
 namespace {

@@ -1,8 +1,9 @@
+#include "prs/model/operation_check.h"
+
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "prs/model/check_case.h"
 #include "prs/model/limits.h"
 #include "prs/model/quantity_text.h"
 

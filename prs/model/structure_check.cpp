@@ -1,7 +1,8 @@
+#include "prs/model/structure_check.h"
+
 #include <algorithm>
 #include <numeric>
 
-#include "prs/model/check_case.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {

@@ -32,7 +32,4 @@ std::string history_csv(const OptimizationResult& result, const CsvStyle& style 
 std::string case_with(const input::Source& source, const std::vector<std::string>& overrides,
                       const std::string& remark);
 
-/// Pictures of an optimization. The result must outlive the list.
-Pictures optimization_pictures(const OptimizationResult& result);
-
 }  // namespace prs

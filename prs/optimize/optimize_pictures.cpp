@@ -1,5 +1,6 @@
+#include "prs/optimize/optimize_pictures.h"
+
 #include "prs/indices.h"
-#include "prs/optimize/optimize_files.h"
 
 #include "prs/record/table_units.h"
 #include "prs/study/study_pictures.h"

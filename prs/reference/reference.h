@@ -28,9 +28,6 @@ struct ReferenceReading {
   std::size_t line = 0;             ///< Line of the file.
 };
 
-/// Analyses whose responses references may have; those of load cases come before others that repeat them.
-std::span<const AnyAnalysis> referenced_analyses();
-
 /// Result of another program or of a test for a response of one load case or of the case: over the threads, over
 /// an input, or as one number.
 struct ReferenceCurve {
@@ -51,10 +48,5 @@ struct ReferenceCurve {
   std::vector<double> values() const;
   double mean_magnitude() const;
 };
-
-/// Reads the block `references` of a source and opens its files; `c` is the case of the source. A file gives one
-/// reference for each load case and, without `response`, for each column that names one. Throws InputError, with file,
-/// line and column of an error in a file.
-std::vector<ReferenceCurve> read_references(const input::Source& source, const Case& c);
 
 }  // namespace prs

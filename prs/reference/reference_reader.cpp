@@ -1,3 +1,5 @@
+#include "prs/reference/reference_reader.h"
+
 #include <fmt/ranges.h>
 
 #include <set>
@@ -10,7 +12,7 @@
 #include "prs/input/varied_input.h"
 #include "prs/model/check_case.h"
 #include "prs/record/response_path.h"
-#include "prs/reference/reference.h"
+#include "prs/reference/referenced_analyses.h"
 
 namespace prs {
 namespace {

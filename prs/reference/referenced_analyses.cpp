@@ -1,3 +1,5 @@
+#include "prs/reference/referenced_analyses.h"
+
 #include "modules/response/response_analysis.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/losses/life_analysis.h"
@@ -5,7 +7,6 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/reference/reference.h"
 
 namespace prs {
 

@@ -1,9 +1,11 @@
+#include "prs/report/controls.h"
+
 #include <charconv>
 
 #include "prs/indices.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/model/check_case.h"
-#include "prs/report/findings.h"
+#include "prs/report/requirement_page.h"
 #include "prs/report/tables.h"
 #include "prs/run/document_schema.h"
 #include "prs/text.h"

@@ -10,7 +10,8 @@
 #include "prs/indices.h"
 #include "prs/model/check_case.h"
 #include "prs/output/files.h"
-#include "prs/report/tables.h"
+#include "prs/report/glossary.h"
+#include "prs/run/analyses.h"
 #include "prs/text.h"
 #include "prs/version.h"
 

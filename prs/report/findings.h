@@ -95,14 +95,8 @@ std::vector<std::string> unconverged(const Findings& all);
 /// Warnings, or the assumptions among them; empty if there are none.
 std::string warning_list(const Findings& all, bool assumptions);
 
-/// Sliders and fields for the important inputs of the case; empty if a page could move none.
-std::string controls_html(const Findings& all);
-
 /// Name of the case, and its mechanism in a sentence.
 std::string head_html(const Findings& all);
-
-/// Load cases whose threads can be shown, and the most loaded thread; null if there are none.
-Json thread_choices(const Findings& all);
 
 /// Figure at the place of a picture, before it is written: with the former one behind it.
 std::string figure_html(Findings& all, Figure figure, bool narrow = false);

@@ -1,3 +1,5 @@
+#include "prs/report/glossary.h"
+
 #include <cctype>
 #include <map>
 #include <regex>
@@ -5,7 +7,6 @@
 
 #include "prs/indices.h"
 #include "prs/report/findings.h"
-#include "prs/report/tables.h"
 #include "prs/text.h"
 
 namespace prs {

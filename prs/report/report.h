@@ -51,8 +51,6 @@ struct ReportParts {
 /// Runs every command for which the case has all inputs; for studies and optimizations, shows the contents of
 /// `results`. Throws InputError if the case is wrong.
 ReportParts report_parts(const input::Source& source, const ReportOptions& options);
-/// Parts for a requirement: `prs size`.
-ReportParts requirement_parts(const input::Source& source, const ReportOptions& options);
 
 /// A thread of a load case; both count from 0, threads over all rollers.
 struct ThreadChoice {

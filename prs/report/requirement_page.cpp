@@ -1,7 +1,7 @@
+#include "prs/report/requirement_page.h"
 
 #include "prs/indices.h"
-#include "prs/report/report.h"
-#include "prs/report/tables.h"
+#include "prs/report/glossary.h"
 #include "prs/run/commands.h"
 #include "prs/size/size_analysis.h"
 #include "prs/text.h"

@@ -29,13 +29,6 @@ std::string prose_html(std::string_view sentence);
 /// A name or a path as HTML that breaks where its parts end.
 std::string breakable_html(std::string_view name);
 
-/// A text that leads to the meaning of a word in the glossary of the page.
-std::string term_html(std::string_view word, std::string_view shown);
-/// Whether the glossary has the word on every page.
-bool is_general_term(std::string_view title);
-/// Meanings of words of the field and of the quantities that these records have, in alphabetical order.
-std::string glossary_html(const std::vector<std::pair<const RecordInfo*, const Json*>>& records);
-
 /// Value of a document as HTML: range of long arrays; empty if it is no number or text.
 std::string report_value(const Json& value, const ReportUnit& unit, bool is_range = false);
 

@@ -1,3 +1,5 @@
+#include "prs/run/analyses.h"
+
 #include "modules/fit/fit_analysis.h"
 #include "modules/response/response_analysis.h"
 #include "prs/compare/compare_analysis.h"
@@ -9,7 +11,6 @@
 #include "prs/measures/measures_analysis.h"
 #include "prs/optimize/optimize_files.h"
 #include "prs/run/check.h"
-#include "prs/run/commands.h"
 #include "prs/run/compare_cases.h"
 #include "prs/size/size_analysis.h"
 #include "prs/study/study_files.h"

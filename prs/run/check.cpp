@@ -2,11 +2,11 @@
 
 #include <fmt/ranges.h>
 
-#include "modules/fit/fit.h"
+#include "modules/fit/fit_reader.h"
 #include "modules/module.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/indices.h"
-#include "prs/input/study_reader.h"
+#include "prs/input/optimize_reader.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_case_result.h"
@@ -15,7 +15,7 @@
 #include "prs/losses/life_analysis.h"
 #include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_warnings.h"
 #include "prs/text.h"

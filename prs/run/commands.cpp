@@ -1,6 +1,7 @@
 #include "prs/run/commands.h"
 
 #include "prs/losses/solve_analysis.h"
+#include "prs/run/analyses.h"
 #include "prs/version.h"
 
 namespace prs {

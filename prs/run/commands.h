@@ -5,13 +5,7 @@
 
 namespace prs {
 
-/// All analyses and searches of a case, in the order in which they are shown.
-std::span<const AnyAnalysis> analyses();
-
 const AnyAnalysis& analysis_of(Command command);
-
-/// Files other than a case.
-std::span<const OtherFile> other_files();
 
 /// Kind of a source that is not a case, by its keys; null for a case.
 const OtherFile* other_file(const input::Source& source);
@@ -21,10 +15,6 @@ struct DocumentForm {
   std::string_view command;
   const RecordInfo& (*record)();
 };
-std::span<const DocumentForm> document_forms();
-
-/// Part that a case requests and this program omits (PRS_FULL): `model.bodies: influence`; empty in a complete program.
-std::string_view left_out(const Case& c);
 
 /// `solve` with other options than those of its row, on a case that has all inputs.
 Delivery run_solve(const input::Source& source, const input::CaseInput& in, const AnalysisOptions& options);

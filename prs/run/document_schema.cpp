@@ -4,8 +4,8 @@
 #include "prs/indices.h"
 #include "prs/input/schema.h"
 #include "prs/record/schema_parts.h"
+#include "prs/run/analyses.h"
 #include "prs/run/check.h"
-#include "prs/run/commands.h"
 
 namespace prs {
 namespace {

@@ -1,7 +1,8 @@
-#include "prs/indices.h"
-#include "prs/run/lists.h"
+#include "prs/run/response_lists.h"
 
-#include "prs/run/commands.h"
+#include "prs/indices.h"
+
+#include "prs/run/analyses.h"
 #include "prs/study/response.h"
 #include "prs/text.h"
 

@@ -5,7 +5,7 @@
 #include "prs/losses/slip_criteria.h"
 #include "prs/measures/measures_criteria.h"
 #include "prs/model/check_case.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/run/joint_criteria.h"
 
 namespace prs {

@@ -1,9 +1,10 @@
+#include "prs/size/evaluation.h"
+
 #include "prs/heat/duty_cycle.h"
 #include "prs/life/analyze_life.h"
 #include "prs/losses/motor_demand.h"
 #include "prs/measures/measures.h"
 #include "prs/preload/preloaded_mechanism.h"
-#include "prs/size/size.h"
 #include "prs/slip/slip.h"
 
 namespace prs {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "prs/configurations/configurations.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/input/described_file.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"

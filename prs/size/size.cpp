@@ -2,11 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prs/configurations/screw_case.h"
 #include "prs/input/csv_reader.h"
 #include "prs/input/described_file.h"
 #include "prs/input/force_history.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/quantity_text.h"
+#include "prs/size/evaluation.h"
 #include "prs/study/study_run.h"
 
 namespace prs {

@@ -172,12 +172,6 @@ struct SizeCurve {
   std::vector<Required> required;  ///< Segments under force.
 };
 
-/// A candidate compared with the requirement, unranked. Throws CaseError if `prs new` refuses it.
-SizedCandidate evaluated(const SizeInput& in, const CandidateData& data);
-
-/// Forces over speed of an evaluated candidate; none without mean load.
-std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandidate& candidate);
-
 struct SizeResult {
   SizeInput input;
   std::vector<SizedCandidate> candidates;  ///< Candidates by rank.

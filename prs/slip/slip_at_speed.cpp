@@ -1,6 +1,6 @@
 #include "prs/slip/slip_at_speed.h"
 
-#include "prs/model/check_case.h"
+#include "prs/model/operation_check.h"
 #include "prs/slip/running.h"
 #include "prs/slip/slip.h"
 

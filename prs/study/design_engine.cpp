@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "modules/response/response_analysis.h"
+#include "prs/compare/compare_references.h"
 #include "prs/compare/reference_analysis.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/indices.h"
@@ -11,6 +12,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/reference/reference_reader.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/design_reader.h"

@@ -1,3 +1,5 @@
+#include "prs/study/study_figures.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include "prs/indices.h"
 #include "prs/record/table_units.h"
 #include "prs/study/recorded.h"
-#include "prs/study/study_pictures.h"
 
 namespace prs {
 namespace {

@@ -1,6 +1,7 @@
+#include "prs/study/study_json.h"
+
 #include "prs/indices.h"
 #include "prs/study/recorded.h"
-#include "prs/study/study_files.h"
 
 namespace prs {
 namespace study_document {

@@ -4,6 +4,7 @@
 #include "prs/losses/slip_figures.h"
 #include "prs/record/table_units.h"
 #include "prs/study/recorded.h"
+#include "prs/study/study_figures.h"
 
 namespace prs {
 namespace {

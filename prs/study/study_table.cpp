@@ -1,4 +1,4 @@
-#include "prs/study/study_files.h"
+#include "prs/study/study_table.h"
 
 #include <tuple>
 

@@ -1,4 +1,4 @@
-#include "prs/svg/panel.h"
+#include "prs/svg/map.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -6,6 +6,7 @@
 
 #include "prs/indices.h"
 #include "prs/record/pictures.h"
+#include "prs/svg/map.h"
 
 namespace prs {
 namespace {

@@ -10,24 +10,6 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
 /// Colour scale, with its numbers and label below the box.
 std::string colour_bar_svg(const ColourScale& scale, const Box& box);
 
-/// A map in the colours of a scale: cells of one colour or, as an embedded image, filled contours and large numbers of
-/// cells.
-std::string map_svg(const Map& map, const ColourScale& scale, const Frame& frame);
-
-/// Lines on which a map has one value.
-struct Contours {
-  double level = 0.0;
-  std::vector<Polyline> lines = {};
-};
-
-/// Lines between filled contours.
-std::vector<Contours> contours_of(const Map& map, const ColourScale& scale);
-
-std::string contours_svg(const std::vector<Contours>& contours, const Frame& frame);
-
-/// Numbers of the lines, where they fit; their boxes are added to `taken`.
-std::string contour_numbers(const std::vector<Contours>& contours, const Frame& frame, std::vector<TextBox>& taken);
-
 /// Path through points, broken at missing ones. Points that only lead around outside the panel are left out.
 std::string way(const Polyline& points, const Frame& frame, bool closed);
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "prs/export/fmu.h"
 #include "prs/export/robot.h"
 #include "prs/input/document.h"
 #include "prs/input/echo.h"
@@ -17,7 +18,7 @@
 #include "prs/input/reader.h"
 #include "prs/output/staged_file.h"
 #include "prs/page/page.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/size/size_analysis.h"
 #include "prs/threads/threads.h"
 #include "python/engine/interpreter_guard.h"

@@ -19,7 +19,7 @@
 #include "prs/page/live_parts.h"
 #include "prs/record/table_units.h"
 #include "prs/run/document_schema.h"
-#include "prs/run/lists.h"
+#include "prs/run/response_lists.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/version.h"
 #include "python/engine/case.h"

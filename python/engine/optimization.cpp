@@ -9,7 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "prs/optimize/optimize_files.h"
+#include "prs/input/optimize_reader.h"
+#include "prs/optimize/optimize_pictures.h"
 #include "prs/run/commands.h"
 #include "prs/run/study.h"
 #include "python/engine/document.h"

@@ -21,7 +21,7 @@
 #include "prs/run/commands.h"
 #include "prs/run/study.h"
 #include "prs/study/designs.h"
-#include "prs/study/study_files.h"
+#include "prs/study/study_json.h"
 #include "prs/study/study_pictures.h"
 #include "prs/study/study_result.h"
 #include "prs/study/study_run.h"

@@ -12,7 +12,7 @@
 #include "prs/input/document.h"
 #include "prs/input/schema.h"
 #include "prs/input/units.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "tests/fuzz/targets.h"
 
 namespace prs::fuzz {

@@ -1,4 +1,4 @@
-#include "validation/extensions.h"
+#include "validation/abevi_2015/statements.h"
 
 #include <fmt/ranges.h>
 

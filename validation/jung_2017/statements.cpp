@@ -1,3 +1,5 @@
+#include "validation/jung_2017/statements.h"
+
 #include <fmt/ranges.h>
 
 #include <sstream>
@@ -5,7 +7,6 @@
 #include "prs/indices.h"
 #include "prs/measures/stiffness.h"
 #include "prs/slip/slip.h"
-#include "validation/jung_2017/tables.h"
 
 namespace prs::jung_2017 {
 namespace {

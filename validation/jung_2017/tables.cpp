@@ -6,9 +6,9 @@
 
 #include "contact/hertz_formulas.h"
 #include "prs/indices.h"
-#include "prs/input/described_file.h"
 #include "prs/life/rating_life.h"
 #include "validation/extensions.h"
+#include "validation/jung_2017/statements.h"
 
 namespace prs::jung_2017 {
 namespace {
@@ -301,14 +301,6 @@ std::vector<ValidationTable> fit_tables(const Reference& thesis) {
   return {deviations, coefficients};
 }
 
-/// Keys of a row, called through the type.
-static void fields(const input::Fields& io, Diameters& d) {
-  const input::Quantity length{input::unit::length, {}, "54 mm"};
-  io("nut_outer", d.nut_outer, length, input::required, "D_n");
-  io("screw", d.screw, length, input::required, "d_s");
-  io("roller", d.roller, length, input::required, "d_r");
-}
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -324,11 +316,21 @@ Json lines_by_rollers() {
   return lines;
 }
 
+/// A row of tables 7.1 and 7.2 as printed.
+Json row_json(const Diameters& d) {
+  const Measures m = as_printed(d);
+  return {{"nut_thickness_mm", m.nut_thickness * "mm"_per_si},
+          {"volume_l", 1e3 * m.volume},
+          {"stiffness_N_per_mm", 1e-3 * m.stiffness},
+          {"load_capacity_kN", m.load_capacity * "kN"_per_si},
+          {"weight_kg", m.weight},
+          {"force_density_kN_per_kg", m.force_density() * "kN"_per_si}};
+}
+
 Json formulas(const Reference& thesis) {
   Json json{{"table_7_1", Json::array()}, {"table_7_2", Json::array()}, {"table_a1", Json::array()}};
-  const Recipe& as_printed = *find_recipe("jung-as-printed");
-  for (const Diameters& d : case_1()) json["table_7_1"].push_back(row_json(as_printed, d));
-  for (const Diameters& d : case_2()) json["table_7_2"].push_back(row_json(as_printed, d));
+  for (const Diameters& d : case_1()) json["table_7_1"].push_back(row_json(d));
+  for (const Diameters& d : case_2()) json["table_7_2"].push_back(row_json(d));
   for (const PrintedParameters& line : table_a1(thesis)) {
     const ContactParameters p = contact_parameters(line.curvature_difference.value());
     json["table_a1"].push_back({{"semi_major", p.semi_major}, {"semi_minor", p.semi_minor}, {"approach", p.approach}});
@@ -374,147 +376,6 @@ std::vector<ValidationTable> tables(const Reference& thesis) {
   return all;
 }
 
-using input::ErrorList;
-using input::InputError;
-using input::Node;
-
-/// A diameter given by the user.
-struct Given {
-  std::string_view key;
-  double Diameters::*diameter;
-};
-constexpr Given kGiven[] = {
-    {"nut_outer", &Diameters::nut_outer}, {"screw", &Diameters::screw}, {"roller", &Diameters::roller}};
-constexpr std::size_t kGivenCount = std::size(kGiven);
-constexpr std::string_view kExample = "54 mm, 27 mm, 9 mm";
-
-/// Range of diameters; others have a wrong unit.
-constexpr double kSmallest = 1e-4, kLargest = 10.0;
-
-/// Error in a row, with the diameter concerned.
-struct Problem {
-  std::size_t given = 0;
-  std::string message;
-};
-
-std::string in_mm(double length) { return fmt::format("{:.10g} mm", length * "mm"_per_si); }
-
-std::optional<Problem> problem_of(const Diameters& d) {
-  for (const auto k : up_to(kGivenCount)) {
-    const double value = d.*kGiven[k].diameter;
-    if (!(value >= kSmallest && value <= kLargest))
-      return Problem{k, fmt::format("got {}; expected 0.1 mm to 10 m; check its unit", in_mm(value))};
-  }
-  if (d.nut_outer <= d.nut_inner())
-    return Problem{0, fmt::format("got {}; expected more than screw and two rollers, {}; enlarge "
-                                  "the nut or make the rollers smaller",
-                                  in_mm(d.nut_outer), in_mm(d.nut_inner()))};
-  const double cosine = std::numbers::sqrt2 / 2.0;
-  const double ratio = d.roller * cosine / d.nut_inner();
-  if (geometry_factor(ratio)) return {};
-  // d_r cos/d_n = q, d_n = d_s + 2 d_r; rounded to whole micrometres within the range.
-  const auto roller_at = [&](double limit) { return d.screw / (cosine / limit - 2.0) * "µm"_per_si; };
-  return Problem{2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where Lemor's "
-                                "geometry factor is known; with this screw take {:g} to {:g} mm",
-                                in_mm(d.roller), ratio, std::ceil(roller_at(kFactorRatios.least)) * 1e-3,
-                                std::floor(roller_at(kFactorRatios.greatest)) * 1e-3)};
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-Diameters read_text(const std::string& text) {
-  const auto fail = [&](const std::string& message) {
-    throw InputError(fmt::format("prs: error: --diameters \"{}\": {}", input::shown(text), message));
-  };
-  std::vector<std::string_view> fields;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
-    fields.push_back(trimmed(std::string_view(text).substr(from, to - from)));
-    from = to + 1;
-  }
-  if (fields.size() != kGivenCount)
-    fail(
-        fmt::format("got {} values; expected 3, the diameters of nut (outer), screw and roller, "
-                    "separated by commas; write for example --diameters \"{}\"",
-                    fields.size(), kExample));
-  Diameters d;
-  for (const auto k : up_to(kGivenCount)) {
-    const input::ParsedQuantity length = input::parse_quantity(fields[k], input::unit::length);
-    if (!length.value)
-      fail(fmt::format("{}: got {}; expected a length; {}", kGiven[k].key, input::shown(fields[k]),
-                       length.hint.empty() ? "write for example 54 mm" : length.hint));
-    d.*kGiven[k].diameter = *length.value;
-  }
-  if (const std::optional<Problem> problem = problem_of(d))
-    fail(fmt::format("{}: {}", kGiven[problem->given].key, problem->message));
-  return d;
-}
-
-struct Rows {
-  std::vector<Diameters> diameters;
-};
-
-void fields(const input::Fields& io, Rows& rows) {
-  io("diameters", rows.diameters, input::List{input::Block{}, 1}, input::required, "Rows");
-}
-
-std::vector<Diameters> read_yaml(const std::string& file) {
-  const input::Source source = input::load_source(file, {});
-  ErrorList errors(source);
-  const Node root = input::read_document(source, errors);
-  Rows rows;
-  input::read_described(root, input::value_of(rows, input::Block{}), errors);
-  errors.throw_if_any();
-  for (const auto row : indices(rows.diameters))
-    if (const std::optional<Problem> problem = problem_of(rows.diameters[row]))
-      input::refuse(root, fmt::format("diameters[{}].{}", row, kGiven[problem->given].key), problem->message, errors);
-  errors.throw_if_any();
-  return rows.diameters;
-}
-
-std::vector<Diameters> read_csv(const std::string& file) {
-  const CsvTable table{file};
-  std::array<std::size_t, kGivenCount> columns{};
-  for (const auto k : up_to(kGivenCount)) columns[k] = table.column(fmt::format("{}_mm", kGiven[k].key));
-  std::vector<Diameters> rows(table.rows());
-  for (const auto row : indices(rows)) {
-    for (const auto k : up_to(kGivenCount)) rows[row].*kGiven[k].diameter = table.number(row, columns[k]) / "mm"_per_si;
-    if (const std::optional<Problem> problem = problem_of(rows[row]))
-      table.fail(row, columns[problem->given], problem->message);
-  }
-  return rows;
-}
-
-/// A column with its key, heading and name in table 7.1.
-struct Column {
-  const char* key;
-  const char* heading;
-  double factor;  ///< Shown = SI * factor.
-  const char* format;
-  double (*value)(const Diameters&, const Measures&);
-};
-constexpr Column kColumns[] = {
-    {"nut_outer_mm", "D_n, mm", "mm"_per_si, "{:.10g}",
-     [](const Diameters& d, const Measures&) { return d.nut_outer; }},
-    {"screw_mm", "d_s, mm", "mm"_per_si, "{:.10g}", [](const Diameters& d, const Measures&) { return d.screw; }},
-    {"roller_mm", "d_r, mm", "mm"_per_si, "{:.10g}", [](const Diameters& d, const Measures&) { return d.roller; }},
-    {"nut_thickness_mm", "T, mm", "mm"_per_si, "{:.6g}",
-     [](const Diameters&, const Measures& m) { return m.nut_thickness; }},
-    {"volume_l", "V, l", 1e3, "{:.3f}", [](const Diameters&, const Measures& m) { return m.volume; }},
-    {"stiffness_N_per_mm", "k, N/mm", 1e-3, "{:.6g}", [](const Diameters&, const Measures& m) { return m.stiffness; }},
-    {"load_capacity_kN", "C_a, kN", "kN"_per_si, "{:.3f}",
-     [](const Diameters&, const Measures& m) { return m.load_capacity; }},
-    {"weight_kg", "W, kg", 1.0, "{:.3f}", [](const Diameters&, const Measures& m) { return m.weight; }},
-    {"force_density_kN_per_kg", "C_a/W, kN/kg", "kN"_per_si, "{:.3f}",
-     [](const Diameters&, const Measures& m) { return m.force_density(); }},
-};
-
-double shown(const Column& c, const Diameters& d, const Measures& m) { return c.factor * c.value(d, m); }
-
 }  // namespace
 
 SourceExtension extension() {
@@ -522,77 +383,6 @@ SourceExtension extension() {
       .folder = "jung_2017", .formulas = formulas, .tables = tables, .supplement = [](const Case& c, const auto& r) {
         return Supplement{.statements = compare_statements(c, r)};
       }};
-}
-
-const std::vector<Recipe>& recipes() {
-  static const std::vector<Recipe> all = {
-      {"jung-as-printed", as_printed,
-       "Jung 2017, tables 7.1 and 7.2 as printed, slips included (their m^3 are litres)"},
-      {"jung-corrected", corrected, "Jung 2017, columns of tables 7.1 and 7.2 by the right formulas"}};
-  return all;
-}
-
-const Recipe* find_recipe(std::string_view name) {
-  const auto found = std::ranges::find(recipes(), name, &Recipe::name);
-  return found != recipes().end() ? &*found : nullptr;
-}
-
-std::vector<Diameters> read_diameters(const std::string& file, const std::vector<std::string>& texts) {
-  std::vector<Diameters> rows;
-  if (!file.empty()) rows = file.ends_with(".csv") ? read_csv(file) : read_yaml(file);
-  for (const std::string& text : texts) rows.push_back(read_text(text));
-  if (rows.empty())
-    throw InputError(
-        fmt::format("prs: error: --recipe: got no diameters; expected a file or --diameters; write "
-                    "for example --diameters \"{}\", nut (outer), screw and roller",
-                    kExample));
-  return rows;
-}
-
-std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows) {
-  std::vector<std::vector<std::string>> lines(1);
-  for (const Column& c : kColumns) lines[0].emplace_back(c.heading);
-  for (const Diameters& d : rows) {
-    const Measures m = recipe.measures(d, {});
-    std::vector<std::string>& line = lines.emplace_back();
-    for (const Column& c : kColumns) line.push_back(fmt::format(fmt::runtime(c.format), shown(c, d, m)));
-  }
-  std::array<std::size_t, std::size(kColumns)> widths{};
-  for (const auto& line : lines)
-    for (const auto k : indices(line)) widths[k] = std::max(widths[k], line[k].size());
-  std::string text = fmt::format("{}: {}\n", recipe.name, recipe.title);
-  for (const auto& line : lines) {
-    for (const auto k : indices(line)) text += fmt::format("  {:>{}}", line[k], widths[k]);
-    text += '\n';
-  }
-  return text;
-}
-
-std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows, const CsvStyle& style) {
-  CsvWriter csv(style);
-  for (const Column& c : kColumns) csv.text(c.key);
-  csv.end_row();
-  for (const Diameters& d : rows) {
-    const Measures m = recipe.measures(d, {});
-    for (const Column& c : kColumns) csv.number(c.value(d, m), c.factor);
-    csv.end_row();
-  }
-  return csv.take();
-}
-
-Json row_json(const Recipe& recipe, const Diameters& d) {
-  const Measures m = recipe.measures(d, {});
-  Json row = Json::object();
-  for (const Column& c : kColumns) row[c.key] = shown(c, d, m);
-  return row;
-}
-
-Json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows, const DocumentInfo& info) {
-  Json document = document_head(info, {});
-  document["recipe"] = recipe.name;
-  document["rows"] = Json::array();
-  for (const Diameters& d : rows) document["rows"].push_back(row_json(recipe, d));
-  return document;
 }
 
 }  // namespace prs::jung_2017

@@ -149,39 +149,4 @@ std::array<double, 6> refitted(const VolumeFit& fit);
 /// and the printed coefficients next to `refitted`.
 std::vector<ValidationTable> fit_tables(const Reference& thesis);
 
-/// A way to compute the columns of tables 7.1 and 7.2 from three diameters.
-struct Recipe {
-  std::string_view name;
-  Measures (*measures)(const Diameters&, const Threads&);
-  std::string_view title;
-};
-
-/// Recipes `jung-as-printed` and `jung-corrected`.
-const std::vector<Recipe>& recipes();
-/// The recipe of this name, or null.
-const Recipe* find_recipe(std::string_view name);
-
-/// Rows of diameters from a file, if one is named, then from texts such as `54 mm, 27 mm, 9 mm` (nut outer, screw,
-/// roller), each the value of an option `--diameters`. The file is YAML,
-///
-///     diameters:
-///       - {nut_outer: 54 mm, screw: 27 mm, roller: 9 mm}
-///
-/// or, if its name ends in `.csv`, comma-separated values with the columns nut_outer_mm, screw_mm and roller_mm. Throws
-/// input::InputError, also if there is no row, if rollers and screw do not fit into the nut and if the ratio of
-/// diameters is outside the range of Lemor's factor.
-std::vector<Diameters> read_diameters(const std::string& file, const std::vector<std::string>& texts);
-
-/// Text of the columns with the decimals of table 7.1.
-std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows);
-std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows, const CsvStyle& style = {});
-nlohmann::ordered_json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows, const DocumentInfo& info);
-
-/// Statements in words on maps and rules of chapters 3 to 8: tables 3.10, 4.10, 5.3, 6.2 and the text of 7.1 by the
-/// right formulas and by those with the slips of the tables; the rules of Ma et al. on the screw of table 3.1.
-std::vector<ComparedStatement> compare_statements(const Case& screw, const Reference& thesis);
-
-/// Value of each column of a row by its key, diameters first.
-nlohmann::ordered_json row_json(const Recipe& recipe, const Diameters& d);
-
 }  // namespace prs::jung_2017

@@ -5,6 +5,7 @@
 #include "prs/slip/slip.h"
 #include "validation/extensions.h"
 #include "validation/sandu_2018/profile_curvatures.h"
+#include "validation/sandu_2018/statements.h"
 
 namespace prs::sandu_2018 {
 

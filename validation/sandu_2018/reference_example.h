@@ -34,8 +34,4 @@ ValidationTable efficiency_fits(const Case& reference);
 /// Power at one contact of each interface for increasing numbers of points (fig. 3.8).
 ValidationTable patch_convergence(const Case& reference);
 
-/// Statements of chapters 2 and 3 of Sandu 2018 in words, judged on the reference example of table 3.2 and around it,
-/// with Jacod's friction and with Coulomb's. Ranges that the text does not give are in the evidence.
-std::vector<ComparedStatement> compare_statements(const Case& reference, const Reference& thesis);
-
 }  // namespace prs::sandu_2018

@@ -1,4 +1,4 @@
-#include "validation/sandu_2018/reference_example.h"
+#include "validation/sandu_2018/statements.h"
 
 #include <fmt/ranges.h>
 

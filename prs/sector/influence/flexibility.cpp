@@ -4,6 +4,7 @@
 
 #include "fe/lu.h"
 #include "prs/indices.h"
+#include "prs/sector/influence/teeth.h"
 
 namespace prs {
 namespace {

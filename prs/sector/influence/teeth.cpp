@@ -1,5 +1,6 @@
+#include "prs/sector/influence/teeth.h"
+
 #include "prs/indices.h"
-#include "prs/sector/influence/flexibility.h"
 
 namespace prs {
 namespace {

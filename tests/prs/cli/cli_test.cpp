@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "prs/model/command.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/text.h"
 #include "tests/support/program.h"
 

@@ -1,4 +1,4 @@
-#include "prs/configurations/configurations.h"
+#include "prs/configurations/screw_case.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "prs/engine/engine.h"
+#include "prs/input/optimize_reader.h"
 #include "prs/input/reader.h"
-#include "prs/input/study_reader.h"
 #include "prs/run/study.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/study/designs.h"

@@ -1,4 +1,4 @@
-#include "prs/export/system_model.h"
+#include "prs/export/fmu.h"
 
 #include <gmock/gmock.h>
 

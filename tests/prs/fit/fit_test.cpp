@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "modules/fit/fit_evaluation.h"
+#include "modules/fit/fit_reader.h"
 #include "prs/run/commands.h"
 #include "prs/study/derivatives.h"
 #include "prs/study/response.h"

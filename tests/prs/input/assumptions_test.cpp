@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "prs/configurations/configurations.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/input/reader.h"
 
 namespace prs::input {

@@ -38,7 +38,6 @@ TEST(UsualValues, ANutThatHangsOnNothingIsNamed) {
 TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
   const OddValue odd[] = {
       {"materials.youngs_modulus", "210 MPa", "`210 GPa`?"},
-      {"materials.youngs_modulus", "2.1e+11 GPa", "`2.1e+11 Pa`?"},
       {"materials.density", "7850 g/cm^3", "`7850 kg/m^3`?"},
       {"materials.density", "7.85 kg/m^3", "`7.85 g/cm^3`?"},
       {"materials.poisson_ratio", "0.03", "check value and unit"},

@@ -13,7 +13,7 @@
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/measures/measures_analysis.h"
+#include "prs/measures/measures_record.h"
 #include "prs/record/record_table.h"
 #include "support/plain_contact.h"
 #include "tests/prs/input/abevi.h"

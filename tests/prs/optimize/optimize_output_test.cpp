@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "known_problems.h"
-#include "prs/optimize/optimize_files.h"
+#include "prs/optimize/optimize_pictures.h"
 #include "prs/record/pictures.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"

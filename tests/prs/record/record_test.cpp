@@ -9,7 +9,7 @@
 
 #include "prs/loads/load_analysis.h"
 #include "prs/record/record_table.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/run/document_schema.h"
 #include "prs/study/response.h"
 #include "support/sample_result.h"

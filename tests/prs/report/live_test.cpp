@@ -4,7 +4,7 @@
 
 #include <regex>
 
-#include "prs/configurations/configurations.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/page/page.h"
 #include "support/made_up_live_parts.h"
 #include "support/sanitized.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "prs/report/report.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "tests/support/program.h"
 
 namespace prs {

@@ -1,4 +1,4 @@
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "prs/run/lists.h"
+#include "prs/run/response_lists.h"
 
 namespace prs {
 namespace {

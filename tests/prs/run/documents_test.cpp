@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "fe/cholesky.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/run/document_schema.h"
 #include "support/program.h"
 #include "support/sanitized.h"

@@ -12,6 +12,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/measures/measures.h"
 #include "prs/record/table_units.h"
+#include "prs/size/evaluation.h"
 #include "prs/size/size_analysis.h"
 #include "prs/slip/slip.h"
 

@@ -225,9 +225,9 @@ Screw extreme(RandomScrews& random) {
   };
   const double d = 2.0 * s.radius.screw;
   std::vector<Screw::Drawn> all = {
-      {"materials.screw.youngs_modulus", "Pa", 1e3, 1e16, true},
-      {"materials.roller.youngs_modulus", "Pa", 1e3, 1e16, true},
-      {"materials.nut.youngs_modulus", "Pa", 1e3, 1e16, true},
+      {"materials.screw.youngs_modulus", "Pa", 1e6, 1e16, true},
+      {"materials.roller.youngs_modulus", "Pa", 1e6, 1e16, true},
+      {"materials.nut.youngs_modulus", "Pa", 1e6, 1e16, true},
       {"materials.screw.poisson_ratio", "", 0.0, 0.4999},
       {"materials.nut.poisson_ratio", "", 0.0, 0.4999},
       {"mechanism.flank_angle", "rad", 0.02, 1.55},
@@ -246,7 +246,7 @@ Screw extreme(RandomScrews& random) {
       {"deviations.crowning", "m", 1e-12, 1.0, true},
       {"deviations.pitch_error.nut.linear", "m", -0.1 * s.pitch, 0.1 * s.pitch}};
   if (!s.designed) all.push_back(about("mechanism.centre_distance", "m", 0.5 * d + s.radius.roller, 0.02));
-  if (s.guidance.starts_with("{")) all.push_back({"structure.roller.guidance.ring", "N/m", 1e-6, 1e20, true});
+  if (s.guidance.starts_with("{")) all.push_back({"structure.roller.guidance.ring", "N/m", 1.0, 1e20, true});
   s.drawn.clear();
   for (int n = random.whole(1, 4); n > 0; --n) {
     const auto at = static_cast<std::size_t>(random.whole(0, static_cast<int>(all.size()) - 1));

@@ -9,7 +9,7 @@
 #include "prs/bodies/meshed.h"
 #include "prs/input/document.h"
 #include "prs/input/reader.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/response.h"
 #include "tests/support/sanitized.h"

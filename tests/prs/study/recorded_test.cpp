@@ -11,10 +11,11 @@
 #include <numeric>
 
 #include "prs/input/reader.h"
-#include "prs/run/commands.h"
+#include "prs/run/analyses.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/study_files.h"
-#include "prs/study/study_pictures.h"
+#include "prs/study/study_figures.h"
+#include "prs/study/study_json.h"
+#include "prs/study/study_table.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/program.h"
 #include "tests/support/sample_study.h"

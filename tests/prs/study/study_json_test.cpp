@@ -1,4 +1,4 @@
-#include "prs/study/study_files.h"
+#include "prs/study/study_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,11 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,10 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/input/source.h"
 #include "prs/life/rating_life.h"
 #include "prs/validation/validate.h"
-#include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/extensions.h"
 #include "validation/jung_2017/tables.h"
@@ -297,99 +293,6 @@ TEST(JungScaleChart, IsThatOfTheNutWhoseMeanSquareIs1) {
   for (const ScaleLine& line : scale_chart()) sum += line.scale * line.scale;
   EXPECT_NEAR(sum / 10.0, 1.0, 1e-15);
   EXPECT_NEAR(scale_chart()[0].nut_outer, 0.04, 1e-15);
-}
-
-std::string error_of(const std::string& file, const std::vector<std::string>& texts) {
-  try {
-    read_diameters(file, texts);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-std::string error_of_file(const std::string& name, const std::string& content) {
-  const test::TemporaryDirectory folder;
-  const std::string file = (folder.path() / name).string();
-  std::ofstream(file) << content;
-  return error_of(file, {});
-}
-
-TEST(JungRecipe, ReadsTheSameRowsFromTextsYamlAndItsOwnCsv) {
-  const test::TemporaryDirectory folder;
-  const std::string yaml = (folder.path() / "rows.yaml").string();
-  const std::string csv = (folder.path() / "rows.csv").string();
-  std::ofstream(yaml) << "diameters:\n  - {roller: 9 mm, nut_outer: 5.4 cm, screw: 0.027 m}\n";
-  const std::vector<Diameters> of_yaml = read_diameters(yaml, {"57 mm,28.5 mm,  9.5 mm"});
-  ASSERT_THAT(of_yaml, SizeIs(2));
-  EXPECT_DOUBLE_EQ(of_yaml[0].nut_outer, 0.054);
-  EXPECT_DOUBLE_EQ(of_yaml[0].screw, 0.027);
-  EXPECT_DOUBLE_EQ(of_yaml[0].roller, 0.009);
-  EXPECT_DOUBLE_EQ(of_yaml[1].roller, 0.0095);
-  const Recipe& recipe = *find_recipe("jung-as-printed");
-  std::ofstream(csv) << recipe_csv(recipe, of_yaml);
-  const std::vector<Diameters> of_csv = read_diameters(csv, {});
-  EXPECT_EQ(recipe_text(recipe, of_csv), recipe_text(recipe, of_yaml));
-  EXPECT_THAT(recipe_text(recipe, of_csv), HasSubstr("10672.1  165.082  1.498       110.194"));
-}
-
-TEST(JungRecipe, WrongRowsAreToldWithWhatIsExpected) {
-  EXPECT_THAT(error_of("", {}), HasSubstr("got no diameters"));
-  EXPECT_THAT(error_of("", {"54 mm, 27 mm"}), HasSubstr("got 2 values; expected 3"));
-  EXPECT_THAT(error_of("", {""}), HasSubstr("got 1 values"));
-  EXPECT_THAT(error_of("", {"54, 27 mm, 9 mm"}), HasSubstr("nut_outer: got 54; expected a length"));
-  EXPECT_THAT(error_of("", {"54 mm, 27 mm, nan mm"}), HasSubstr("roller"));
-  EXPECT_THAT(error_of("", {"54 mm, 27 mm, 9 kN"}), HasSubstr("expected a length"));
-  EXPECT_THAT(error_of("", {"54 mm, -27 mm, 9 mm"}), HasSubstr("expected 0.1 mm to 10 m"));
-  EXPECT_THAT(error_of("", {"45 mm, 27 mm, 9 mm"}),
-              HasSubstr("nut_outer: got 45 mm; expected more than screw and two rollers, 45 mm"));
-  EXPECT_THAT(error_of("", {"400 mm, 10 mm, 30 mm"}), HasSubstr("with this screw take 0.146 to 28.009 mm"));
-  EXPECT_EQ(error_of("", {"400 mm, 10 mm, 28.009 mm"}), "no error");
-  EXPECT_EQ(error_of("", {"400 mm, 10 mm, 0.146 mm"}), "no error");
-  EXPECT_THAT(error_of("/nonexistent.yaml", {}), HasSubstr("no such file"));
-}
-
-TEST(JungRecipe, WrongFilesAreToldWithLineAndKey) {
-  EXPECT_THAT(error_of_file("a.yaml", "diameters:\n  - {nut_outer: 54 mm, screw: 27, roller: 9 mm}\n"),
-              HasSubstr("a.yaml:2:31: error: diameters[0].screw: got 27; expected a length"));
-  EXPECT_THAT(error_of_file("a.yaml", "diameters:\n  - {nut_outer: 54 mm, scew: 27 mm, roller: 9 mm}\n"),
-              testing::AllOf(HasSubstr("scew: unknown key"), HasSubstr("screw: missing")));
-  EXPECT_THAT(error_of_file("a.yaml", "diameters: 5\n"), HasSubstr("expected a list"));
-  EXPECT_THAT(error_of_file("a.yaml", "diameters: []\nmore: 1\n"), HasSubstr("more: unknown key"));
-  EXPECT_THAT(error_of_file("a.yaml", "5\n"), HasSubstr("expected a map"));
-  EXPECT_THAT(error_of_file("a.csv", "nut_outer_mm,screw_mm\n54,27\n"), HasSubstr("roller_mm: missing"));
-  EXPECT_THAT(error_of_file("a.csv", "nut_outer_mm,screw_mm,roller_mm\n54,27,9\n45,27,9\n"),
-              HasSubstr("a.csv:3:1: error: nut_outer_mm: got 45 mm"));
-}
-
-struct ProgramRun {
-  int status = -1;
-  std::string out;
-};
-
-/// Runs `prs validate --recipe jung-as-printed ARGUMENTS`; errors are discarded.
-ProgramRun run_recipe(const std::string& arguments) {
-  const test::TemporaryDirectory folder;
-  const std::string out = (folder.path() / "out").string();
-  const int status = std::system((std::string("'") + test::program() + "' validate --recipe jung-as-printed " +
-                                  arguments + " >'" + out + "' 2>/dev/null")
-                                     .c_str());
-  std::ifstream in(out);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, std::string(std::istreambuf_iterator<char>(in), {})};
-}
-
-TEST(JungRecipe, RunsFromTheCommandLine) {
-  const ProgramRun run = run_recipe("--diameters '54 mm, 27 mm, 9 mm' --diameters '81 mm, 40.5 mm, 18 mm' --json");
-  EXPECT_EQ(run.status, 0);
-  const nlohmann::json rows = nlohmann::json::parse(run.out).at("rows");
-  ASSERT_THAT(rows, SizeIs(2));
-  EXPECT_NEAR(rows[1].at("stiffness_N_per_mm").get<double>(), 2794.88, 0.005);
-  EXPECT_NEAR(rows[0].at("force_density_kN_per_kg").get<double>(), 110.194, 0.0005);
-  for (const char* arguments : {"", "--diameters '54 mm'", "/nonexistent.yaml", "--diameters"}) {
-    const ProgramRun wrong = run_recipe(arguments);
-    EXPECT_EQ(wrong.status, 2) << arguments;
-    EXPECT_EQ(wrong.out, "") << arguments;
-  }
 }
 
 std::vector<SourceReport> report_of(const std::string& item) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "prs/input/reader.h"
+#include "validation/abevi_2015/statements.h"
 
 namespace prs {
 namespace {

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "prs/sector/influence/flexibility.h"
+#include "prs/sector/influence/teeth.h"
 #include "prs/validation/validate.h"
 #include "support/count.h"
 #include "support/sanitized.h"

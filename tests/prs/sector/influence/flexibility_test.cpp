@@ -1,4 +1,4 @@
-#include "prs/sector/influence/flexibility.h"
+#include "prs/sector/influence/teeth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 #include "modules/response/response_analysis.h"
 
+#include "modules/response/response_figures.h"
+#include "modules/response/response_table.h"
 #include "prs/record/csv_rows.h"
 
 namespace prs {

@@ -1,3 +1,5 @@
+#include "modules/estimation/fit.h"
+
 #include <algorithm>
 #include <cmath>
 

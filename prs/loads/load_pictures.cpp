@@ -1,3 +1,5 @@
+#include "prs/loads/load_pictures.h"
+
 #include <fmt/ranges.h>
 
 #include <set>
@@ -5,9 +7,10 @@
 #include "prs/indices.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
+#include "prs/loads/contact_figures.h"
 #include "prs/loads/full_result.h"
-#include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
+#include "prs/loads/motion_figures.h"
 #include "prs/record/table_units.h"
 
 namespace prs {

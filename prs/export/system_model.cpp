@@ -1,7 +1,8 @@
+#include "prs/export/system_model.h"
+
 #include <cctype>
 
 #include "modules/response/response.h"
-#include "prs/export/system_model.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"
 
