@@ -691,6 +691,12 @@ Read read(const Source& source) {
                                 "the last speed of the cycle is not its first, though the cycle is "
                                 "repeated",
                                 "end it with the speed that it begins with"});
+  constexpr double kOpen = 0.01;  // Share of the way that rounded speeds and times leave over.
+  if (const double left = std::abs(read.in.cycle.left_over); !r.motion.loads && left > kOpen * read.in.cycle.way)
+    read.in.warnings.push_back(Warning{"motion", "open_way",
+                                       "the cycle ends {value} from where it begins, though it is repeated",
+                                       "state the way back, too"}
+                                   .with(left, {}, "mm"_unit));
   return read;
 }
 
@@ -854,6 +860,7 @@ void set_totals(MotionCycle& c, const Requirement& r) {
     highest = std::max(highest, at);
   }
   c.way = highest - lowest;
+  c.left_over = at;
   c.rms_speed = std::sqrt(square / c.duration);
   if (c.loaded_travel > 0.0) c.mean_load = std::cbrt(cubes / c.travel);
   c.loaded_way = c.mean_load ? loaded_way(c.all, 0.5 * *c.mean_load) : 0.0;

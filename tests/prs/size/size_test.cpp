@@ -99,6 +99,23 @@ TEST(SizeMotion, ForcesAreThoseOfPublishedAxes) {
   expect(axis("0.5 s", "1.2 m/s", "{moved_mass: 30 kg, inclination: 90 deg, resistance: 10 N}"), {376, 304, 232});
 }
 
+TEST(SizeMotion, ACycleThatEndsElsewhereIsAWarning) {
+  const auto warned = [](const char* last) {
+    std::vector<std::string> codes;
+    for (const Warning& w : read(of_one(fmt::format("motion: {{segments: [{{duration: 1 s, end_speed: 100 mm/s}}, "
+                                                    "{{duration: 1 s, end_speed: 0 mm/s, force: 1 kN}}, {}]}}\n",
+                                                    last)))
+                                .warnings)
+      codes.push_back(w.code);
+    return codes;
+  };
+  using testing::ElementsAre, testing::IsEmpty;
+  EXPECT_THAT(warned("{duration: 1 s, end_speed: -100 mm/s}, {duration: 1 s, end_speed: 0 mm/s}"), IsEmpty());
+  EXPECT_THAT(warned("{duration: 1 s, end_speed: -90 mm/s}, {duration: 1 s, end_speed: 0 mm/s}"),
+              ElementsAre("open_way"));
+  EXPECT_THAT(warned("{duration: 1 s, end_speed: -200 mm/s}"), ElementsAre("open_cycle"));
+}
+
 TEST(SizeMotion, RelubricationIsThatOfTheMakersExample) {
   const SizeResult r =
       sized(of_one("motion: {segments: [{duration: 1 s, end_speed: 1.66 in/s, force: 400 lbf}], start_speed: "
