@@ -182,7 +182,7 @@ struct MotionCycle {
   double duration = 0.0, moving = 0.0;          ///< [s]
   double travel = 0.0, loaded_travel = 0.0;     ///< Travel in both senses [m].
   double way = 0.0;                             ///< Distance between the extreme positions [m].
-  double left_over = 0.0;                       ///< From the first position to the last [m].
+  double left_over = 0.0;                       ///< Distance from the first position to the last [m].
   double loaded_way = 0.0;                      ///< Distance under more than half of the mean load [m].
   std::optional<double> mean_load, mean_speed;  ///< Absent if nothing moves under force.
   double largest_force = 0.0, largest_speed = 0.0, rms_speed = 0.0;

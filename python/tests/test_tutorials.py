@@ -67,7 +67,8 @@ def test_the_own_screw_of_the_readme_has_its_numbers(program: Run, tmp_path: Pat
     assert {line.strip() for line in table.splitlines()} <= lines
 
     stated = re.search(
-        r"efficiency of ([\d.]+) % in tension and ([\d.]+) kW .*life of ([\d.]+) million .* is (\d+) h",
+        r"efficiency of ([\d.]+) % in tension and ([\d.]+) kW .*"
+        r"life of ([\d.]+) million .* is (\d+) h",
         " ".join(section.split()),
     )
     assert stated

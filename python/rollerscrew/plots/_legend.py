@@ -117,7 +117,6 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
     """
     import matplotlib
     from matplotlib.font_manager import FontProperties
-    from matplotlib.lines import Line2D
 
     panel = description["panels"][0]
     points = FontProperties(size=matplotlib.rcParams["legend.fontsize"]).get_size_in_points()
@@ -132,14 +131,6 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
     _label_for_legends(ax, handles)
     setattr(ax, TITLES, titles)
     setattr(ax, KEYS, handles)
-    named = ax.get_legend_handles_labels()[1]
-    drawn = [series["style"] for series in panel.get("series", [])]
-    entries = description.get("legend", [])
-    # Meanings of marks and dashes, for a legend of the caller's own.
-    for entry, key in zip(entries, keys(description), strict=True):
-        is_line = isinstance(key, Line2D) and entry["style"] not in drawn
-        if is_line and key.get_label() not in named:
-            ax.add_line(key)
     if not handles:
         return
     small = 0.75 if len(handles) > _MOST_ABOVE else 1.0

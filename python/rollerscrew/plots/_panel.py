@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -164,25 +165,15 @@ def _text_size() -> float:
 def _with_room(ax: Axes, labels: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     """The labels; of numbers in a row without room for all, 1 and every second, fifth or tenth."""
     numbers = [each for each in labels if each["text"].isdigit() and not each.get("in_panel")]
-    steps = [
-        after["x"] - before["x"]
-        for before, after in zip(numbers, numbers[1:], strict=False)
-        if after["y"] == before["y"]
-    ]
+    steps = [b["x"] - a["x"] for a, b in pairwise(numbers) if a["y"] == b["y"]]
     if not steps:
         return list(labels)
     low, high = ax.get_xlim()
     apart = min(map(abs, steps)) / abs(high - low) * size_of(ax)[0]
     needed = 0.21 * _text_size() * (0.8 + max(len(each["text"]) for each in numbers))
     every = next((n for n in (1, 2, 5) if n * apart >= needed), 10)
-    return [
-        each
-        for each in labels
-        if every == 1
-        or each not in numbers
-        or each["text"] == "1"
-        or int(each["text"]) % every == 0
-    ]
+    left_out = [each for each in numbers if each["text"] != "1" and int(each["text"]) % every]
+    return [each for each in labels if each not in left_out]
 
 
 def _label(ax: Axes, label: Mapping[str, Any], over: bool) -> None:
