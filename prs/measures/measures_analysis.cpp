@@ -359,6 +359,7 @@ MeasuresResult measured(const input::Source&, const input::CaseInput& in) {
   result.slips = input::unmet(in, Command::slip).empty();
   result.lives = input::unmet(in, Command::life).empty();
   add_preload_note(in.values, result.analysis.warnings);
+  if (!result.analysis.load_cases.empty()) add_heat_note(in.values, result.analysis.warnings);
   return result;
 }
 

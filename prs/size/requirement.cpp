@@ -691,6 +691,10 @@ Read read(const Source& source) {
                                 "the last speed of the cycle is not its first, though the cycle is "
                                 "repeated",
                                 "end it with the speed that it begins with"});
+  if (r.brake_torque && !(read.in.cycle.holding_force > 0.0))
+    read.in.warnings.push_back({"brake", "no_rest",
+                                "no force acts at rest, so that nothing says what the brake has to hold",
+                                "add a segment at rest under that force"});
   constexpr double kOpen = 0.01;  // Share of the way that rounded speeds and times leave over.
   if (const double left = std::abs(read.in.cycle.left_over); !r.motion.loads && left > kOpen * read.in.cycle.way)
     read.in.warnings.push_back(Warning{"motion", "open_way",

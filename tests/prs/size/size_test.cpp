@@ -116,6 +116,20 @@ TEST(SizeMotion, ACycleThatEndsElsewhereIsAWarning) {
   EXPECT_THAT(warned("{duration: 1 s, end_speed: -200 mm/s}"), ElementsAre("open_cycle"));
 }
 
+TEST(SizeMotion, ABrakeWithNothingToHoldIsAWarning) {
+  const auto warnings = [](const char* rest) {
+    return read(of_one(
+                    fmt::format("motion: {{segments: [{{duration: 1 s, end_speed: 0.1 m/s, force: 1 kN}}, {{duration: "
+                                "2 s, end_speed: -0.1 m/s, force: 1 kN}}, {{duration: 1 s, end_speed: 0 m/s}}{}]}}\n"
+                                "motor: {{rated_torque: 15 N m}}\nbrake: {{torque: 4 N m}}\n",
+                                rest)))
+        .warnings;
+  };
+  ASSERT_EQ(warnings("").size(), 1u);
+  EXPECT_EQ(warnings("").front().code, "no_rest");
+  EXPECT_THAT(warnings(", {duration: 1 s, end_speed: 0 m/s, force: 1 kN}"), testing::IsEmpty());
+}
+
 TEST(SizeMotion, RelubricationIsThatOfTheMakersExample) {
   const SizeResult r =
       sized(of_one("motion: {segments: [{duration: 1 s, end_speed: 1.66 in/s, force: 400 lbf}], start_speed: "
