@@ -9,6 +9,7 @@
 
 #include "prs/cli/commands.h"
 #include "prs/cli/help.h"
+#include "prs/cli/list.h"
 #include "prs/embed.h"
 
 PRS_EMBED(bash_script, "prs/cli/completion.bash")
