@@ -42,7 +42,8 @@ int validate(const Options& options) {
   if (reports.empty())
     return wrong_input(fmt::format(
         "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n", options.folder));
-  const std::string document = prs::json_text(prs::validation_json(reports, {prs::kVersion, prs::kSchemaVersion, "", {}, "validate"}));
+  const std::string document =
+      prs::json_text(prs::validation_json(reports, {prs::kVersion, prs::kSchemaVersion, "", {}, "validate"}));
   if (options.output) write(reports, document, options);
   if (options.json) {
     print(document);

@@ -25,8 +25,7 @@ TEST(ResponseTitle, HasTheWordsOfCataloguesThenThePartAndTheThread) {
   EXPECT_EQ(response_title("screw.load_rate_percent.max").name, "largest share of the load, screw");
   EXPECT_EQ(response_title("measures.solved_static_safety").name, "static safety");
   EXPECT_EQ(response_title("life.system.l10_hours").name, "life L10 in time, mechanism");
-  EXPECT_EQ(response_title("life.catalogue.l10_revolutions").name,
-            "life L10 in turns, by the catalogue's formula");
+  EXPECT_EQ(response_title("life.catalogue.l10_revolutions").name, "life L10 in turns, by the catalogue's formula");
   EXPECT_EQ(response_title("heat.temperature_degC.nut").name, "temperature, nut");
   EXPECT_EQ(response_title("slip.viscosity_mPas").unit, "mPa s");
   EXPECT_EQ(response_title("response.energy_J.residual").unit, "J");
