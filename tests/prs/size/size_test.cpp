@@ -965,7 +965,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{MOTION "preload: {share: 5 %, force: 2 kN}\n", "2:10", "exactly one of force, share"},
         Wrong{MOTION "linkage: {base: 500 mm, arm: 300 mm}\n", "1:48", "a rotational speed"},
         Wrong{"motion: {start_angle: 9 deg, segments: [{duration: 1 s, end_speed: 9 mm/s}]}\n", "1:10",
-              "only with `linkage`"},
+              "only with `segments` and `linkage`"},
         Wrong{"linkage: {base: 500 mm, arm: 300 mm}\nmotion: {segments: [{duration: 1 s, end_speed: 9 deg/s, torque: "
               "9 N m}]}\n",
               "2:1", "motion.start_angle: missing"},

@@ -237,7 +237,7 @@ TEST(DesignEngine, DesignGivesWhatTheCommandGives) {
 
 /// If the chain has too few digits the study solves as the command does.
 TEST(DesignEngine, DeliversWhateverTheCommandSolves) {
-  const std::string factors[] = {"structure.roller.guidance={ring: 1e-3 N/m}", "structure.screw.free_length=1e-12 mm"};
+  const std::string factors[] = {"structure.roller.guidance={ring: 1 N/m}", "structure.screw.free_length=1e-12 mm"};
   for (const std::string& factor : factors) {
     const std::size_t equals = factor.find('=');
     const input::StudyInput in =
