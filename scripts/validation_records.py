@@ -355,7 +355,7 @@ def summary(validation: dict, results: dict) -> str:
     )
 
 
-# What a case gets if nobody states it: key, its value in words, another one in words, the value of the other, source.
+# Inputs that a case gets if nobody states them: key, value in words, another value in words and as text, source.
 DECIDE = (
     ("model.bodies", "refined; without a `model` bars", "bars", "bars", "[models](../models.md#bodies)"),
     ("structure.roller.guidance", "both ends, without play", "ends with 20 µm of play",
@@ -396,7 +396,7 @@ def defaults_that_decide(prs: str) -> str:
         base = judged()
         lines = (
             "## Defaults that decide\n"
-            "What a case gets if nobody states it decides on its numbers. The screw is the one of the README (`prs new\n"
+            "Values that nobody states decide on the numbers of a case. The screw is the one of the README (`prs new\n"
             "standard screw.yaml --screw-diameter 25mm --lead 5mm`); each row changes one value to another plausible one,\n"
             "and gives the effect in percent on the least stiffness and static safety of its load cases, on life,\n"
             f"efficiency and film ratio. By default they are {base[0]:.0f} N/µm, {base[1]:.2f}, {base[2]:.0f} h, "
@@ -406,7 +406,8 @@ def defaults_that_decide(prs: str) -> str:
         )
         for key, taken, other, value, source in DECIDE:
             effects = [
-                100 * (new / old - 1) for new, old in zip(judged("--set", f"{key}={value}"), base)
+                100 * (new / old - 1)
+                for new, old in zip(judged("--set", f"{key}={value}"), base, strict=True)
             ]
             cells = ["0" if abs(effect) < 0.5 else f"{effect:+.0f}" for effect in effects]
             lines += f"| `{key}` | {taken} | {other} | {' | '.join(cells)} | {source} |\n"

@@ -234,11 +234,12 @@ std::string joint(std::string_view form, const ResponseInput& in, const Json& ro
         stop > 0.0 ? fmt::format("\n  End stops are springs of {:.6g} N/m without damping{}.", stop,
                                  lower && upper && lower->stiffness != upper->stiffness ? ", the stiffer of both" : "")
                    : ""},
-       {"no_stop", lower && upper ? "" : "\n  A limit of 1 m stands where the case has no end stop."},
+       {"no_stop",
+        lower && upper ? "" : "\n  Where the case has no end stop, the format still needs a limit, 1 m away or more."},
        {"control", torque > 0.0 ? bounds("ctrllimited", "ctrlrange", -torque, torque) : ""},
        {"inertia", 1e-3 * in.load.mass},
-       {"lower", end(lower, -1.0)},
-       {"upper", end(upper, 1.0)}});
+       {"lower", end(lower, std::min(-1.0, end(upper, 0.0) - 1.0))},
+       {"upper", end(upper, std::max(1.0, end(lower, 0.0) + 1.0))}});
   const bool coupled = robot.contains("slides") && robot["slides"].contains("rotor_kg");
   values["remarks"] = filled(remarks_form(), values);
   values["rotor"] = coupled ? filled(rotor_form(), values) : "";
@@ -265,7 +266,7 @@ Json robot_constants(const SystemModel& model, std::optional<double> friction_lo
     throw CaseError("response.curves.force",
                     fmt::format("the curves end at {:.6g} N; expected at least the {:.6g} N of the option "
                                 "`friction-load`, for example `curves: {{force: {:.6g} N}}`",
-                                largest, *friction_load, *friction_load));
+                                largest, *friction_load, 1.1 * *friction_load));
   const auto [load, of] = friction_load ? std::pair{*friction_load, "as stated by the option `friction-load`"}
                                         : friction_load_of(drive, in, largest);
   const double drag = (in.screw.drag_torque + in.motor.friction_torque) / std::abs(r);

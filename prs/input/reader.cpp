@@ -571,7 +571,7 @@ Case checked_case(const CaseFile& file, const Node& root, Command command, Error
   Case values = file.values;
   values.load_cases = expand(file.load_cases);
   std::vector<Problem> problems = problems_of(values, command);
-  if (file.limits) std::ranges::move(check_limits(*file.limits, values), std::back_inserter(problems));
+  std::ranges::move(check_limits(file.limits.value_or(Limits{}), values), std::back_inserter(problems));
   if (file.motor) std::ranges::move(check_motor(*file.motor, values), std::back_inserter(problems));
   for (const Problem& p : problems) refuse(root, p.path, p.message, errors);
   return values;

@@ -55,6 +55,7 @@ InSeriesOf in_series_of(const MeasuresResult& r, const JudgedCase& of) {
   return [&r, &of](const LoadCase& load) -> std::optional<InSeries> {
     const auto k = static_cast<std::size_t>(std::ranges::find(of.c.load_cases, load.name, &LoadCase::name) -
                                             of.c.load_cases.begin());
+    if (k == r.load_measures.size()) return std::nullopt;
     if (const auto& m = r.load_measures[k]; m && m->system_stiffness) {
       const auto& mechanism = m->system_stiffness->contributions.mechanism;
       return InSeries{"Stiffness of the axis",

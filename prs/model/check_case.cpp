@@ -165,8 +165,8 @@ std::string wrong_start(const std::optional<PerPart<double>>& start, const Limit
   const bool is_stated = limits.temperature && *limits.temperature <= physical;
   const double most = is_stated ? *limits.temperature : physical;
   if (hottest < most) return {};
-  return fmt::format("got {}; expected less than {}, {}; start cooler{}", celsius(hottest),
-                     is_stated ? "`limits.temperature`" : "where bearing steel turns into austenite", celsius(most),
+  return fmt::format("got {}; expected less than {}, {}; start cooler{}", celsius(hottest), celsius(most),
+                     is_stated ? "`limits.temperature`" : "where bearing steel turns into austenite",
                      is_stated ? ", or raise the limit" : "");
 }
 

@@ -22,7 +22,7 @@ void check_reach(const Mechanism& m, Problems& problems) {
   if (std::abs(screw_gap) > reach)
     problems.add("mechanism.centre_distance",
                  "got {}; expected {}, the sum of the pitch radii of screw and roller, give or "
-                 "take {}, or their threads cannot mesh; check centre distance and pitch diameters",
+                 "take {}, or the threads cannot mesh; check centre distance and pitch diameters",
                  mm(*m.centre_distance), mm(0.5 * (*screw + *roller)), mm(reach));
   if (std::abs(nut_gap) > reach)
     problems.add("mechanism.pitch_diameter.nut",

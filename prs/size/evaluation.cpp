@@ -524,8 +524,8 @@ class Evaluation {
 
   void warn_of_heat() {
     c_.warnings.insert(c_.warnings.end(), mission_warnings_.begin(), mission_warnings_.end());
-    constexpr double kTold = 1.01;  // Ratio of torques above which a start is reported.
-    if (at_start_ && c_.motor_peak_torque && at_start_->peak_torque > kTold * *c_.motor_peak_torque)
+    constexpr double kReported = 1.01;  // Ratio of torques above which a start is reported.
+    if (at_start_ && c_.motor_peak_torque && at_start_->peak_torque > kReported * *c_.motor_peak_torque)
       c_.warnings.push_back(
           Warning{"motor", "start_of_mission",
                   "at the temperatures of the mission's start the motor's largest torque is {value}; the criteria take "

@@ -555,7 +555,7 @@ struct ClassStep {
 /// The shown segments one after the other. In a mission classes act in the order of their segments: those of a window
 /// of time are one step, a short window for few steps.
 std::vector<ClassStep> steps_of_cycle(const SizeInput& in) {
-  constexpr int kMost = 2000, kMostInAll = 50'000;
+  constexpr int kMost = 400, kMostInAll = 8000;
   const MotionCycle& cycle = in.cycle;
   const bool in_order = cycle.in_classes && in.values.has_mission();
   const int most = in_order ? std::min(kMost, kMostInAll / *in.values.heat->cycles) : 1;
