@@ -986,7 +986,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{MOTION "heat: {cycles: 0}\n", "2:16", "got 0"},
         Wrong{MOTION "heat: {start: 20 degC}\n", "2:8", "it stands with `cycles`"},
         Wrong{MOTION "heat: {cycles: 2, start: 90 degC}\nlimits: {temperature: 80 degC}\n", "2:26",
-              "less than `limits.temperature`, 80 degC"},
+              "less than 80 degC, `limits.temperature`"},
         Wrong{MOTION "heat: {cycles: 2}\nlosses: catalogue\n", "2:16", "together with `losses: catalogue`"},
         Wrong{MOTION
               "heat: {cycles: 2}\nlubricant: {viscosity: 0.1 Pa s, pressure_viscosity: 20 1/GPa, eyring_stress: 5 "
