@@ -231,7 +231,8 @@ std::string configurations_table(const ConfigurationQuery& query, const Configur
 
 std::string configurations_csv(const Configurations& all, const CsvStyle& style) {
   CsvRows csv(style);
-  const auto add_row = [&](const Configuration& c, std::size_t k) {
+  for (const auto k : indices(all.found)) {
+    const Configuration& c = all.found[k];
     const Mechanism& m = c.mechanism;
     csv("number", k + 1);
     csv("type", contact::facts_of(m.type).name);
@@ -255,8 +256,7 @@ std::string configurations_csv(const Configurations& all, const CsvStyle& style)
     csv("greatest_speed_rpm", c.greatest_speed);
     csv("greatest_travel_mm_per_s", travel_speed(c));
     csv.end_row();
-  };
-  for (const auto k : indices(all.found)) add_row(all.found[k], k);
+  }
   return csv.take();
 }
 

@@ -161,6 +161,7 @@ FitInput read_fit_input(const input::Source&) { throw NotBuilt("prs fit"); }
 // Texts of the verdict about limits.
 std::string describe(StaticLimit) { throw NotBuilt("prs life"); }
 MeasuresResult analyze_measures(const Conditions&, Contacts, AnalysisOptions) { throw NotBuilt("prs measures"); }
+InSeriesOf in_series_of(const MeasuresResult&, const JudgedCase&) { throw NotBuilt("prs measures"); }
 std::vector<FoundCriterion> measures_criteria(const MeasuresResult&, const JudgedCase&) {
   throw NotBuilt("prs measures");
 }

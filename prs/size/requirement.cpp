@@ -683,20 +683,21 @@ Read read(const Source& source) {
   } else {
     read.in.cycle = cycle_of(segments_of(r.motion, source), r);
   }
-  checker.check(read.in.cycle);
+  const MotionCycle& cycle = read.in.cycle;
+  checker.check(cycle);
   errors.throw_if_any();
-  if (!r.stroke && !r.motion.loads && read.in.cycle.way > 0.0) r.stroke = read.in.cycle.way;
-  if (!read.in.cycle.closed)
+  if (!r.stroke && !r.motion.loads && cycle.way > 0.0) r.stroke = cycle.way;
+  if (!cycle.closed)
     read.in.warnings.push_back({"motion", "open_cycle",
                                 "the last speed of the cycle is not its first, though the cycle is "
                                 "repeated",
                                 "end it with the speed that it begins with"});
-  if (r.brake_torque && !(read.in.cycle.holding_force > 0.0))
+  if (r.brake_torque && !(cycle.holding_force > 0.0))
     read.in.warnings.push_back({"brake", "no_rest",
                                 "no force acts at rest, so that nothing says what the brake has to hold",
                                 "add a segment at rest under that force"});
   constexpr double kOpen = 0.01;  // Share of the way that rounded speeds and times leave over.
-  if (const double left = std::abs(read.in.cycle.left_over); !r.motion.loads && left > kOpen * read.in.cycle.way)
+  if (const double left = std::abs(cycle.left_over); !r.motion.loads && left > kOpen * cycle.way)
     read.in.warnings.push_back(Warning{"motion", "open_way",
                                        "the cycle ends {value} from where it begins, though it is repeated",
                                        "state the way back, too"}
