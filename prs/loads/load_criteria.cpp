@@ -84,7 +84,7 @@ FoundCriterion stiffness_criterion(const Result& result, const JudgedCase& of, c
     const SpatialLoad& spatial = load.spatial;
     const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
     if (!askew) take(r.axial_stiffness, "");
-    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, for something acts across the axis");
+    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, since something acts across the axis");
   }
   return found;
 }

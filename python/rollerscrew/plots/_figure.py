@@ -25,7 +25,7 @@ _ASPECT_IN_SPACE = 0.85
 _LEAST, _MOST = 0.1, 1.0  #: Of what is to scale: the other axis is widened.
 _LABELS_MM = (13.0, 10.0)  #: What labels and ticks take of the width and height.
 _TITLE_MM = 4.5
-_BAR_MM = 15.0  #: Width of a colour bar beside the panels, or height of one below them.
+_BAR_MM = 15.0  #: Width of a colour bar at the side of the panels, height of one under them.
 _LOW = 0.3  #: Height over width of panels whose colour bar stands below them.
 _LONG_TICK = 12  #: Characters.
 
