@@ -26,4 +26,4 @@ tar -C build/site --transform "s/^html/prs-$version-documents/" --sort=name --ow
   --mtime="@$(git log -1 --format=%ct)" -czf "dist/prs-$version-documents.tar.gz" html
 printf '%s\n' "$changes" >"dist/CHANGES-$version.md"
 (cd dist && sha256sum -- * >SHA256SUMS.tmp && mv SHA256SUMS.tmp SHA256SUMS)
-echo "Left to do by hand: \`git tag v$version\`, try the packages where nothing else is installed, upload dist/"
+echo "Left to do by hand: a contact for the packages (CPACK_PACKAGE_CONTACT), \`git tag v$version\`, try the packages where nothing else is installed, upload dist/"

@@ -77,7 +77,7 @@ void add_compare_options(CLI::App& compare, Options& options) {
   compare
       .add_flag_callback(
           "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
-          "With the influence model also where its matrices have to be made; as --set "
+          "Include the influence model even if its matrices must be computed first; as --set "
           "model.bodies=influence")
       ->disable_flag_override();
 }
@@ -123,7 +123,7 @@ void add_configurations_options(CLI::App& command, Options& options) {
   ConfigurationOptions& o = options.configurations;
   add_value(command, "--screw-diameter", o.screw_diameter, "LENGTH", "Pitch diameter, with its unit");
   add_value(command, "--nut-diameter", o.nut_diameter, "LENGTH",
-            "In its place: outer diameter of the nut; compares all starts in it");
+            "Instead of --screw-diameter: outer diameter of the nut; compares all starts that fit");
   add_value(command, "--lead", o.lead, "LENGTH", "Of screw and nut; > 0 right-handed")->required();
   take_one_of(command.add_option("--type", o.type, "Default: all"), {"standard", "inverted", "recirculating"});
   take_whole_number(command.add_option("--starts", o.starts,
@@ -194,7 +194,7 @@ void add_export_options(CLI::App& command, Options& options) {
   add_value(command, "--force", o.force, "FORCE", "Largest force of the curves; default: that of the case");
   add_value(command, "--speed", o.speed, "SPEED", "Largest speed of the torque; default: that of the case");
   add_value(command, "--load-case", o.load_case, "NAME",
-            "Load case whose position, misalignment and temperatures hold, with `preload` for the "
+            "Load case that gives position, misalignment and temperatures, with `preload` for the "
             "torque alone; default: the first");
   add_value(command, "-o,--output", o.output, "PATH",
             "The file to write, or a folder for it; default: the current folder");
@@ -307,7 +307,7 @@ constexpr OwnRow kOwnRows[] = {
     {"workbench", kAnalyse, "Write the program itself as one page: any browser opens it, without an install",
      add_workbench_options, workbench,
      "prs workbench --output workbench.html\nprs workbench case.yaml --output workbench.html"},
-    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica", add_export_options,
+    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica, MuJoCo, URDF", add_export_options,
      export_model,
      "prs export case.yaml --fmu\n"
      "prs export case.yaml --fmu --modelica --output models --force '60 kN'"},

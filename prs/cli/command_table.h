@@ -8,7 +8,7 @@ namespace prs::cli {
 
 /// The program: its commands and options as a parser, and the parsed values.
 struct Program {
-  CLI::App app{"Load distribution, stiffness and life of planetary roller screws", "prs"};
+  CLI::App app{"Load distribution, losses, life and design of planetary roller screws", "prs"};
   Options options;
   std::function<int(const Options&)> run;  ///< Chosen command.
 };

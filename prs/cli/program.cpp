@@ -107,7 +107,7 @@ void add_csv_options(CLI::App& command, CsvStyle& style) {
               {"plain", "european"});
   take_whole_number(
       command.add_option("--csv-digits", style.digits,
-                         "Significant digits in CSV; 17: as many as read the same number back; default: 10"),
+                         "Significant digits in CSV, 17 for the number exactly; default: 10"),
       1, CsvStyle::kAllDigits);
 }
 

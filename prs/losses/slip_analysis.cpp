@@ -344,7 +344,7 @@ const Analysis<Result>& slip_analysis() {
        {"heat_cycle", describe<HeatCycle>, false}});
   static const Analysis<Result> analysis{
       .command = Command::slip,
-      .help = "Slip, friction, dissipated power, efficiency and torques",
+      .help = "Slip, friction, lost power, efficiency and torques",
       .file = "slip.json",
       .run = slips_of,
       .places = places,

@@ -110,7 +110,7 @@ constexpr RangeLine kRangeLines[] = {
     {"sliding, largest, mm/s", "max_sliding_speed_mm_per_s", 2},
     {"film by Sandu, nm", "film_thickness_nm", 0},
     {"central film, nm", "central_film_nm", 0},
-    {"film over roughness", "film_ratio", 2},
+    {"film ratio", "film_ratio", 2},
     {"share on touching flanks", "boundary_share", 3},
     {"wear, mm³/km", "wear_mm3_per_km", 6},
 };

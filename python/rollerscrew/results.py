@@ -84,7 +84,7 @@ class CompareResult(views.CompareViews):
 
 
 class SlipResult(views.SlipViews, SolveResult):
-    """Slip, friction, dissipated power, efficiency and torques."""
+    """Slip, friction, lost power, efficiency and torques."""
 
     __slots__ = ()
     _command = "slip"
@@ -219,7 +219,7 @@ class Analyses:
         return SolveResult._answer(self, "solve")
 
     def slip(self) -> SlipResult:
-        """Slip, friction, dissipated power, efficiency and torques."""
+        """Slip, friction, lost power, efficiency and torques."""
         return SlipResult._answer(self, "slip")
 
     def preload(self) -> PreloadResult:
