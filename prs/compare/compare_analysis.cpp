@@ -257,7 +257,7 @@ std::vector<FoundCriterion> reference_criterion(const ModelComparison& c, const 
   for (const ReferenceComparison& r : c.references)
     if (r.reference.tolerance && (!worst || use(r) > use(*worst))) worst = &r;
   if (!worst) return {};
-  FoundCriterion found("reference");
+  FoundCriterion found("references");
   if (std::isfinite(use(*worst))) found.value = use(*worst);
   found.limit = 1.0;
   found.standing = worst->met() ? Standing::green : Standing::red;

@@ -100,8 +100,10 @@ class References {
     const bool together = !reference.load_case.empty() && analysis_of(reference).takes_load_cases_apart &&
                           reference.along.find_first_of(".[") == std::string::npos;
     std::vector<Case> cases = together ? std::vector{reference.cases[0]} : reference.cases;
-    for (std::size_t k = 1; together && k < reference.cases.size(); ++k)
+    for (std::size_t k = 1; together && k < reference.cases.size(); ++k) {
       cases[0].load_cases.push_back(reference.cases[k].load_cases[0]);
+      cases[0].load_cases.back().name += fmt::format("[{}]", k);
+    }
     std::vector<double> values;
     const auto take = [&](const Json& json) {
       values.push_back(number_at(json, "." + reference.response).value_or(kNoAnswer));

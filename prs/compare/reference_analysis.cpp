@@ -35,6 +35,18 @@ struct ReferenceModel {
   }
 };
 
+/// The deviation of largest magnitude.
+struct LargestDeviation {
+  ReferenceModel of;
+};
+
+std::optional<LargestDeviation> largest_deviation(const ReferenceModel& m) {
+  return m.answer().deviations ? std::optional(LargestDeviation{m}) : std::nullopt;
+}
+
+/// The answer of the model that the case states.
+ReferenceModel stated_model(const ComparedReference& r) { return {r, r.found().stated}; }
+
 /// A reading and the result of each model for it.
 struct ComparedReading {
   ComparedReference of;
@@ -88,6 +100,7 @@ std::optional<std::string> unless_empty(const T& text) {
 
 }  // namespace
 
+Record<LargestDeviation> record_of(Type<LargestDeviation>);
 Record<ReferenceModel> record_of(Type<ReferenceModel>);
 Record<ComparedReading> record_of(Type<ComparedReading>);
 Record<ComputedThere> record_of(Type<ComputedThere>);
@@ -98,16 +111,21 @@ constexpr auto kMean = &CurveDeviations::mean;
 constexpr auto kRms = &CurveDeviations::rms;
 constexpr auto kLargest = &CurveDeviations::largest;
 
+constexpr Quantity<LargestDeviation> kLargestDeviation[] = {
+    {"value", of<[](auto& d) { return d.of.deviation(kLargest); }>, "with its sign"},
+    {"percent_of_mean", of<[](auto& d) { return d.of.percent_of_mean(kLargest); }>,
+     "of the mean magnitude of the reference"},
+    {"at", of<[](auto& d) { return d.of.largest_at(); }>, "where it is, in `along_unit`"},
+};
+
 constexpr Quantity<ReferenceModel> kReferenceModel[] = {
     {"bodies", of<&ReferenceModel::bodies>, "bars | refined | influence of one sector, or full: all rollers"},
     {"mean_deviation", of<[](auto& m) { return m.deviation(kMean); }>, "mean of computed less reference"},
     {"rms_deviation", of<[](auto& m) { return m.deviation(kRms); }>, "root mean square"},
-    {"largest_deviation", of<[](auto& m) { return m.deviation(kLargest); }>, "of largest magnitude, with its sign"},
-    {"largest_at", of<&ReferenceModel::largest_at>, "where that is, in `along_unit`"},
+    {"largest_deviation", of<largest_deviation>, "of largest magnitude"},
     {"mean_deviation_percent_of_mean", of<[](auto& m) { return m.percent_of_mean(kMean); }>,
      "of the mean magnitude of the reference"},
     {"rms_deviation_percent_of_mean", of<[](auto& m) { return m.percent_of_mean(kRms); }>, "of the same"},
-    {"largest_deviation_percent_of_mean", of<[](auto& m) { return m.percent_of_mean(kLargest); }>, "of the same"},
     {"slope", of<[](auto& m) { return scaled(m.answer().slope, kPerKilonewton); }>,
      "over the force, by least squares, in `slope_unit`"},
     {"stiffness_N_per_um", of<[](auto& m) { return stiffness(m.reference(), m.answer().slope); }>,
@@ -145,6 +163,14 @@ constexpr Quantity<ComparedReference> kReference[] = {
     {"mean", of<[](auto& r) { return r.reference().mean_magnitude(); }>, "mean magnitude of the reference"},
     {"sum", of<[](auto& r) { return r.found().sum; }>, "over a complete set of threads, of shares and of axial loads"},
     {"expected_sum", of<[](auto& r) { return r.found().expected_sum; }>, "what the load of a roller makes of it"},
+    {"reference_sum_percent", of<[](auto& r) {
+       return r.found().sum ? std::optional(100.0 * *r.found().sum / *r.found().expected_sum) : std::nullopt;
+     }>,
+     "that sum in % of the expected one"},
+    {"mean_deviation", of<[](auto& r) { return stated_model(r).deviation(kMean); }>,
+     "mean of computed less reference, by the model of the bodies that the case states, as the next two"},
+    {"rms_deviation", of<[](auto& r) { return stated_model(r).deviation(kRms); }>, "root mean square"},
+    {"largest_deviation", of<[](auto& r) { return largest_deviation(stated_model(r)); }>, "of largest magnitude"},
     {"slope", of<[](auto& r) { return scaled(r.found().slope, kPerKilonewton); }>,
      "of the reference over the force, by least squares"},
     {"slope_unit", of<slope_unit>, "of slopes"},
@@ -162,6 +188,8 @@ constexpr Quantity<ComparedReference> kReference[] = {
 }  // namespace
 
 PRS_RECORD(ComputedThere, "ComputedThere", "Results of the models at a reading of a reference.", kComputedThere);
+PRS_RECORD(LargestDeviation, "LargestDeviation", "The deviation of largest magnitude from a reference.",
+           kLargestDeviation);
 PRS_RECORD(ReferenceModel, "ReferenceModel", "How far a model lies from a reference.", kReferenceModel);
 PRS_RECORD(ComparedReading, "ReferencePoint", "A reading of a reference, and what is computed there.", kReading);
 PRS_RECORD(ComparedReference, "ComparedReference", "A curve of another program or a test against the case.",

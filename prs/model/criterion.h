@@ -162,7 +162,7 @@ inline constexpr CriterionRow kCriteria[] = {
      .is_plain = false},
     {.name = "back_driving", .title = "Back driving", .source = LimitSource::stated},
     {.name = "brake", .title = "Brake", .is_plain = false},
-    {.name = "reference", .title = "Deviation over tolerance", .sense = Sense::greatest, .source = LimitSource::stated},
+    {.name = "references", .title = "Deviation over tolerance", .sense = Sense::greatest, .source = LimitSource::stated},
     {.name = "axial_play", .title = "Axial play of the threads", .unit = "mm"},
     {.name = "convergence", .title = "Convergence", .why = "all converged", .before = "not converged: "},
     {.name = "contacts_per_roller", .title = "Contacts per roller", .source = LimitSource::recommended},

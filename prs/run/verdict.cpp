@@ -304,7 +304,7 @@ std::string origin(const Criterion& c) {
   if (c.source == LimitSource::stated &&
       (c.name.starts_with("motor_") || c.name == "brake" || c.name == "back_driving"))
     return "motor";
-  if (c.name == "reference") return "references[].tolerance";
+  if (c.name == "references") return "references[].tolerance";
   if (c.source == LimitSource::stated)
     return fmt::format("limits.{}", c.name.substr(c.name.starts_with("bearing_") ? 8 : 0));
   return c.source == LimitSource::physics ? "physical limit" : "recommended";

@@ -296,7 +296,7 @@ return [...document.querySelectorAll('#verdict .state')]
 
 
 def reference_tile(browser: Browser) -> str:
-    return browser.text('[data-tile="reference"]')
+    return browser.text('[data-tile="references"]')
 
 
 def test_a_reference_follows(browser: Browser, page: Callable[..., Path], program: Run) -> None:
@@ -306,8 +306,8 @@ def test_a_reference_follows(browser: Browser, page: Callable[..., Path], progra
     browser.write(path, "90 mm")
     assert "computed when" not in reference_tile(browser)
     run = program("check", CONFIGS / "38_reference.yaml", "--json", "--set", f"{path}=90 mm")
-    (own,) = (c for c in json.loads(run.stdout)["verdict"]["criteria"] if c["name"] == "reference")
-    shown = browser.text('[data-tile="reference"] .value')
+    (own,) = (c for c in json.loads(run.stdout)["verdict"]["criteria"] if c["name"] == "references")
+    shown = browser.text('[data-tile="references"] .value')
     assert float(shown) == pytest.approx(own["value"], rel=2e-3)
     assert (own["state"] == "red") == ("not met" in reference_tile(browser))
     # While a value moves the others follow later: neither green nor red.
@@ -318,7 +318,7 @@ def test_a_reference_follows(browser: Browser, page: Callable[..., Path], progra
     try:
         browser.wait("document.querySelector('[data-tile=reference].stale') !== null")
         assert "computed when the values rest" in reference_tile(browser)
-        assert browser.find('[data-tile="reference"]').get_attribute("class") == "stale"
+        assert browser.find('[data-tile="references"]').get_attribute("class") == "stale"
     finally:
         browser.changed(lambda: browser.driver.execute_script("clearInterval(window.moving)"))
     assert "computed when" not in reference_tile(browser)

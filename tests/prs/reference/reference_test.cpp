@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "prs/compare/compare_analysis.h"
@@ -97,11 +100,14 @@ TEST_F(AgainstReferences, AShiftOfOneThreadIsItsLargestDeviation) {
   const double n = static_cast<double>(values.size()), mean = (100.0 - 0.5) / n;
   EXPECT_EQ(r["name"], "test");
   EXPECT_EQ(r["count"], values.size());
-  EXPECT_NEAR(bars["largest_deviation"], 0.5, 1e-9);
-  EXPECT_EQ(bars["largest_at"], 4.0);
+  EXPECT_NEAR(bars["largest_deviation"]["value"], 0.5, 1e-9);
+  EXPECT_EQ(bars["largest_deviation"]["at"], 4.0);
   EXPECT_NEAR(bars["mean_deviation"], 0.5 / n, 1e-9);
   EXPECT_NEAR(bars["rms_deviation"], 0.5 / std::sqrt(n), 1e-9);
-  EXPECT_NEAR(bars["largest_deviation_percent_of_mean"], 50.0 / mean, 1e-6);
+  EXPECT_NEAR(bars["largest_deviation"]["percent_of_mean"], 50.0 / mean, 1e-6);
+  for (const char* key : {"mean_deviation", "rms_deviation", "largest_deviation"})
+    EXPECT_EQ(r[key], bars[key]);  // Stated.
+  EXPECT_NEAR(r["reference_sum_percent"], 99.5, 1e-9);
   EXPECT_NEAR(r["points"][3]["computed"]["bars"].get<double>() - r["points"][3]["reference"].get<double>(), 0.5, 1e-9);
   EXPECT_EQ(bars["met"], 50.0 / mean <= 9.0);
 }
@@ -328,7 +334,7 @@ TEST(ReferencesOfTheProgram, AreACriterionOfTheVerdict) {
     const test::Outcome checked = test::run_prs("check configs/38_reference.yaml --json " + tolerance);
     const Json document = Json::parse(checked.out);
     for (const Json& c : document["verdict"]["criteria"])
-      if (c["name"] == "reference") return c;
+      if (c["name"] == "references") return c;
     return Json();
   };
   const Json met = criterion(""), missed = criterion("--set 'references[0].tolerance=5 % of each value'");
@@ -336,6 +342,26 @@ TEST(ReferencesOfTheProgram, AreACriterionOfTheVerdict) {
   EXPECT_EQ(met["state"], "green");
   EXPECT_NEAR(missed["value"], 19.6 / 5.0, 0.01);
   EXPECT_EQ(missed["state"], "red");
+}
+
+/// Curves over the force of a screw whose threads come from its geometry, against single runs.
+TEST(ReferencesOfTheProgram, GoOverTheForceOfADesignToo) {
+  const test::TemporaryDirectory folder;
+  const std::string at = folder.path().string();
+  ASSERT_EQ(test::run_prs("new standard " + at + "/n.yaml --screw-diameter 30mm --lead 10mm").status, 0);
+  std::string csv = "load_case,force_kN,axial_displacement_um\n";
+  for (const int force : {5, 10}) {
+    const test::Outcome run =
+        test::run_prs(fmt::format("solve {}/n.yaml --json --set 'load_cases[0].axial_force={} kN'", at, force));
+    csv += fmt::format("tension,{},{}\n", force,
+                       Json::parse(run.out)["load_cases"][0]["axial_displacement_um"].get<double>());
+  }
+  std::ofstream(at + "/r.csv") << csv;
+  const test::Outcome compared = test::run_prs(fmt::format("compare {0}/n.yaml --reference {0}/r.csv --json", at));
+  ASSERT_EQ(compared.status, 0) << compared.err;
+  const Json reference = Json::parse(compared.out)["references"][0];
+  EXPECT_EQ(reference["count"], 2);
+  EXPECT_NEAR(reference["largest_deviation"]["value"], 0.0, 1e-9);
 }
 
 TEST(ReferencesOfTheProgram, StandOnThePage) {

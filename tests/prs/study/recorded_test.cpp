@@ -184,7 +184,7 @@ TEST(Recorded, DeviationsOfReferencesAreThoseOfCompare) {
   input::Source with_study = source;
   with_study.text +=
       "study: {command: solve, factors: [{path: structure.nut.outer_diameter, values: [46 mm, 52 mm]}], responses: "
-      "['references[0].models[0].rms_deviation', 'references[12].models[0].largest_deviation_percent_of_mean']}\n";
+      "['references[0].models[0].rms_deviation', 'references[12].models[0].largest_deviation.percent_of_mean']}\n";
   const input::StudyInput in = input::read_study_input(with_study);
   const RowBlock block = DesignEngine(in).evaluate(0, 3);
   ASSERT_TRUE(block.failures.empty());
@@ -196,7 +196,7 @@ TEST(Recorded, DeviationsOfReferencesAreThoseOfCompare) {
       const Json references = run(analysis, design).document({})["references"];
       const double* found = &block.responses[static_cast<std::size_t>(2 * row)];
       EXPECT_NEAR(found[0], references[0]["models"][0]["rms_deviation"].get<double>(), 1e-9);
-      EXPECT_NEAR(found[1], references[12]["models"][0]["largest_deviation_percent_of_mean"].get<double>(), 1e-9);
+      EXPECT_NEAR(found[1], references[12]["models"][0]["largest_deviation"]["percent_of_mean"].get<double>(), 1e-9);
     }
   }
   EXPECT_NE(block.responses[2], block.responses[4]);
