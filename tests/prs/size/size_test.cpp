@@ -984,6 +984,9 @@ INSTANTIATE_TEST_SUITE_P(
                      "lead: {from: 5 mm, to: 9 mm, steps: 400}}}\n",
               "2:13", "at most 100000"},
         Wrong{MOTION "heat: {cycles: 0}\n", "2:16", "got 0"},
+        Wrong{"motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}, {duration: 1 s, end_speed: 0 mm/s}]}\n"
+              "heat: {cycles: 60000}\n",
+              "2:16", "got 60000 cycles; expected at most 50000 of this cycle"},
         Wrong{MOTION "heat: {start: 20 degC}\n", "2:8", "it stands with `cycles`"},
         Wrong{MOTION "heat: {cycles: 2, start: 90 degC}\nlimits: {temperature: 80 degC}\n", "2:26",
               "less than 80 degC, `limits.temperature`"},
