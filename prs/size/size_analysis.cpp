@@ -510,7 +510,7 @@ Figures mission(const SizeResult& r) {
 /// Ratio and reflected mass of a lever over its angle.
 Figures lever(const SizeResult& r) {
   const std::optional<LeverMotion> motion = lever_of(r.input);
-  if (!motion) return {};
+  if (!motion || motion->angles[0] == motion->angles[1]) return {};
   constexpr double kDegrees = "deg"_per_si, kSteps = 90.0;
   Figure figure{"size_lever", "Lever"};
   figure.x = {"Angle between base and arm", "deg", kDegrees * motion->angles[0], kDegrees * motion->angles[1]};
@@ -571,7 +571,7 @@ Pictures size_pictures(const SizeResult& r) {
           {"size_curve", "a mean load and a limit of speed", of_result(r, curve)},
           {"size_margins", "criteria with margins", of_result(r, margins)},
           {"size_mission", "a mission", of_result(r, mission)},
-          {"size_lever", "a lever", of_result(r, lever)}};
+          {"size_lever", "a lever that moves", of_result(r, lever)}};
 }
 
 namespace {

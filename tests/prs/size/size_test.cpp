@@ -909,6 +909,14 @@ TEST(SizePictures, ALeverIsDrawnOverItsAngle) {
   EXPECT_NEAR(first(1)[1], 22.518519, 1e-6);
 }
 
+TEST(SizePictures, ALeverThatOnlyHoldsHasNone) {
+  const SizeResult r =
+      sized(of_one("linkage: {base: 500 mm, arm: 300 mm}\n"
+                   "motion: {start_angle: 60 deg, segments: [{duration: 1 s, end_speed: 0 deg/s, torque: 300 N m}]}\n"));
+  const Pictures all = size_pictures(r);
+  EXPECT_TRUE(std::ranges::find(all, "size_lever", &Picture::name)->make({}).empty());
+}
+
 struct Wrong {
   const char* text;
   const char* place;
