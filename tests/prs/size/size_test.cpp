@@ -256,6 +256,21 @@ TEST(Size, CandidatesWithoutTheObjectiveComeLast) {
   EXPECT_EQ(r.candidates[2].name, "39x10");
 }
 
+/// The source is called as the requirement names its file, wherever the requirement stands.
+TEST(SizeCatalogue, HasItsNameWithoutTheFolderOfTheRequirement) {
+  SizeInput in = read(
+      "motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}]}\n"
+      "candidates: {catalogue: [{file: lists/own.csv}, {file: lists/own.csv, source: maker A}]}\n");
+  in.source.files.emplace()["lists/own.csv"] = "screw_diameter_mm,lead_mm,starts\n48,10,5\n";
+  for (const char* name : {"press.yaml", "axes/press.yaml"}) {
+    in.source.name = name;
+    std::vector<Warning> warnings;
+    const std::vector<CandidateData> all = candidates_of(in, warnings);
+    EXPECT_EQ(all.at(0).list, "lists/own.csv");
+    EXPECT_EQ(all.at(1).list, "maker A");
+  }
+}
+
 /// A catalogue as German makers print and spreadsheets write it.
 TEST(Size, ReadsAMakersCatalogueWithDecimalCommas) {
   const auto first = [](const char* csv, std::vector<Warning>& warnings) {
