@@ -474,8 +474,7 @@ std::vector<CandidateData> candidates_of(const SizeInput& in, std::vector<Warnin
       const auto& [file, list] = (*from.catalogue)[k];
       const std::string path = catalogue_file_key(*from.catalogue, k);
       std::ranges::move(CatalogueReader(input::named_file_text(file, path, in.source),
-                                        input::name_in_messages(file, in.source), in.source, path,
-                                        list.value_or(file))
+                                        input::name_in_messages(file, in.source), in.source, path, list.value_or(file))
                             .read(warnings),
                         std::back_inserter(all));
     }

@@ -925,9 +925,9 @@ TEST(SizePictures, ALeverIsDrawnOverItsAngle) {
 }
 
 TEST(SizePictures, ALeverThatOnlyHoldsHasNone) {
-  const SizeResult r =
-      sized(of_one("linkage: {base: 500 mm, arm: 300 mm}\n"
-                   "motion: {start_angle: 60 deg, segments: [{duration: 1 s, end_speed: 0 deg/s, torque: 300 N m}]}\n"));
+  const SizeResult r = sized(
+      of_one("linkage: {base: 500 mm, arm: 300 mm}\n"
+             "motion: {start_angle: 60 deg, segments: [{duration: 1 s, end_speed: 0 deg/s, torque: 300 N m}]}\n"));
   const Pictures all = size_pictures(r);
   EXPECT_TRUE(std::ranges::find(all, "size_lever", &Picture::name)->make({}).empty());
 }
@@ -1007,7 +1007,8 @@ INSTANTIATE_TEST_SUITE_P(
                      "lead: {from: 5 mm, to: 9 mm, steps: 400}}}\n",
               "2:13", "at most 100000"},
         Wrong{MOTION "heat: {cycles: 0}\n", "2:16", "got 0"},
-        Wrong{"motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}, {duration: 1 s, end_speed: 0 mm/s}]}\n"
+        Wrong{"motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}, {duration: 1 s, end_speed: 0 "
+              "mm/s}]}\n"
               "heat: {cycles: 60000}\n",
               "2:16", "got 60000 cycles; expected at most 50000 of this cycle"},
         Wrong{MOTION "heat: {start: 20 degC}\n", "2:8", "it stands with `cycles`"},
