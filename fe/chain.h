@@ -3,6 +3,7 @@
 #include "fe/chain_elimination.h"
 #include "fe/chain_residual.h"
 #include "fe/newton_types.h"
+#include "fe/rounding.h"
 #include "simd/inlined.h"
 
 namespace fe {
@@ -129,7 +130,7 @@ Real approach_rounding(const ChainStations<Real, Station>& chain) {
       largest_force = max(largest_force, record.contact[i].force);
     });
   }
-  return 4.0 * 2.220446049250313e-16 * of_both<Station>(largest_change) / of_both<Station>(largest_force);
+  return kForceRounding * of_both<Station>(largest_change) / of_both<Station>(largest_force);
 }
 
 /// Largest change of a contact's force by the last step, relative to the largest force.
@@ -258,7 +259,7 @@ class Chain {
       active_ = active_ & !give_up;
       singular = singular & !give_up;
       if (!any(active_)) return false;
-      shift = select(singular, select(shift > 0.0, 100.0 * shift, Real(options.first_shift)), shift);
+      shift = select(singular, select(shift > 0.0, kShiftGrowth * shift, Real(options.first_shift)), shift);
       singular = elimination_.factorize(residual_, shift, pending_move()) & active_;
     }
     return true;
@@ -271,7 +272,7 @@ class Chain {
       return (s.energy - contact_energy_) - length_ * (s.slope - s.work) +
              0.5 * length_ * length_ * (s.slope - s.stiffness);
     };
-    const Real rounding = 64.0 * 2.220446049250313e-16 * (contact_energy_ + abs(s.work));
+    const Real rounding = kEnergyRounding * (contact_energy_ + abs(s.work));
     const auto too_high = [&] {
       return active_ & !(gain() <= rounding - options.sufficient_decrease * length_ * s.slope);
     };

@@ -32,11 +32,14 @@ struct ChainHertzInSeries {
   const Real* compliance[2];  ///< c of each station [m/N].
 
   ChainResponse<Real> evaluate(int i, int k, const Real& net_approach) const {
+    constexpr int kMostIterations = 100;
+    constexpr double kLastStep = 1e-9;  // Relative; the next step is about its square, below rounding.
+    constexpr double kNoLimit = 1e100;
     const Real& k0 = stiffness[i];
     const Real& c = compliance[i][k];
     const Real a = c * k0;
     // In x = sqrt(d), d the approach of the power law: x^2 (1 + a x) = total, up to largest x.
-    const Real largest_x = select(a < 0.0, -1.0 / (3.0 * a), Real(1e100));
+    const Real largest_x = select(a < 0.0, -1.0 / (3.0 * a), Real(kNoLimit));
     const Real largest_total = largest_x * largest_x * (1.0 + a * largest_x);
     const Lanes<Real> open = net_approach <= 0.0;
     const Real closed = select(open, Real(1.0), net_approach);
@@ -44,10 +47,10 @@ struct ChainHertzInSeries {
     const Real total = select(linear, largest_total, closed);
     Real x = sqrt(total);
     Lanes<Real> searching = x > 0.0;
-    for (int iteration = 0; iteration < 100 && any(searching); ++iteration) {
+    for (int iteration = 0; iteration < kMostIterations && any(searching); ++iteration) {
       const Real step = (x * x * (1.0 + a * x) - total) / (x * (2.0 + 3.0 * a * x));
       x = select(searching, x - step, x);
-      searching = searching & (abs(step) > 1e-9 * x);  // The next step is about its square, below rounding.
+      searching = searching & (abs(step) > kLastStep * x);
     }
     x = select(linear, largest_x, x);
     const Real force = k0 * x * x * x;

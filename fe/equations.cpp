@@ -2,6 +2,7 @@
 
 #include "fe/cholesky.h"
 #include "fe/quad.h"
+#include "fe/rounding.h"
 
 namespace fe {
 namespace {
@@ -123,7 +124,8 @@ void less_forces(const std::vector<Equations::Spring>& springs, const Eigen::Vec
   }
 }
 
-/// Length below which beams are computed in numbers of 113 binary digits [m].
+/// Length below which beams are computed in numbers of 113 binary digits [m]: by choice about a hundredth of a screw's
+/// diameter, where forces of a beam are small differences of large ones.
 constexpr double kShortBeam = 2e-4;
 
 }  // namespace
@@ -368,7 +370,7 @@ double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {
 }
 
 double Equations::force_rounding(const State& q) const {
-  return 4.0 * std::numeric_limits<double>::epsilon() * largest_change(springs_, q, [&](const Spring& s) {
+  return kForceRounding * largest_change(springs_, q, [&](const Spring& s) {
            double size = std::abs(s.law.gap);
            for (std::size_t i = 0; i < s.count; ++i)
              size = std::max(size, std::abs(s.coefficient[i] * q[s.equation[i]]));

@@ -50,7 +50,7 @@ class DoubleNumbers : public DoubleTangent {
   }
   /// Rounding of the energy, a difference of large works.
   static double energy_rounding(const State& q, const Vector& f, double energy) {
-    return 64.0 * std::numeric_limits<double>::epsilon() * (std::abs(energy) + std::abs(f.dot(q.head)));
+    return kEnergyRounding * (std::abs(energy) + std::abs(f.dot(q.head)));
   }
   static void set_to_step(State& to, const State& from, double length, const Vector& step) {
     to.set_to_step(from, length, step);

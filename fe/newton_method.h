@@ -2,6 +2,7 @@
 
 #include "fe/equations.h"
 #include "fe/newton_types.h"
+#include "fe/rounding.h"
 
 namespace fe {
 
@@ -168,7 +169,7 @@ class NewtonMethod {
     shift = 0.0;
     FactorizationStatus status = numbers_.factorize();
     while (status == FactorizationStatus::not_positive_definite && shift < options.last_shift) {
-      const double next = shift == 0.0 ? options.first_shift : 100.0 * shift;
+      const double next = shift == 0.0 ? options.first_shift : kShiftGrowth * shift;
       numbers_.shift_by(next - shift);
       shift = next;
       status = numbers_.factorize();

@@ -84,7 +84,7 @@ struct WideNumbers {
       const double force = response(s, q).force;
       for (std::size_t i = 0; i < s.count; ++i) rounding[s.equation[i]] += force * std::abs(s.coefficient[i]);
     }
-    rounding *= 4.0 * std::numeric_limits<double>::epsilon();
+    rounding *= kForceRounding;
     return (residual.cast<double>().array().abs() <= rounding.array()).all();
   }
 
@@ -92,7 +92,7 @@ struct WideNumbers {
   double energy_rounding(const State& q, const Eigen::VectorXd&, const Wide&) const {
     double energy = 0.0;
     for (const Equations::Spring& s : equations.springs()) energy += response(s, q).energy;
-    return 64.0 * std::numeric_limits<double>::epsilon() * energy;
+    return kEnergyRounding * energy;
   }
   static void set_to_step(State& to, const State& from, double length, const Vector& step) {
     to.value = from.value - Wide(length) * step;

@@ -184,7 +184,9 @@ void add_export_options(CLI::App& command, Options& options) {
   add_flag(command, "--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu");
   add_flag(command, "--static", o.is_static, "Write the unit without the drive, also where the case has `response`");
   add_flag(command, "--modelica", o.modelica, "Write a Modelica package, CASE.mo");
-  add_flag(command, "--mjcf", o.mjcf, "Write the drive for MuJoCo, CASE.mjcf.xml");
+  add_flag(
+      command, "--mjcf", o.mjcf,
+      "Write the drive for MuJoCo, CASE.mjcf.xml; a lever is the mass that its inertia is at the nut at mid-angle");
   add_flag(command, "--urdf", o.urdf, "Write the drive for ROS and other robot simulators, CASE.urdf");
   add_value(command, "--friction-load", o.friction_load, "FORCE",
             "Load whose friction robot simulators take; default: the root mean square force of the run of `response`");
@@ -307,10 +309,11 @@ constexpr OwnRow kOwnRows[] = {
     {"workbench", kAnalyse, "Write the program itself as one page: any browser opens it, without an install",
      add_workbench_options, workbench,
      "prs workbench --output workbench.html\nprs workbench case.yaml --output workbench.html"},
-    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica, MuJoCo, URDF", add_export_options,
-     export_model,
+    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica, MuJoCo, URDF",
+     add_export_options, export_model,
      "prs export case.yaml --fmu\n"
-     "prs export case.yaml --fmu --modelica --output models --force '60 kN'"},
+     "prs export case.yaml --fmu --modelica --output models --force '60 kN'\n"
+     "prs export drive.yaml --mjcf --play joint --friction-load '6 kN'"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
     {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures", add_schema_options,

@@ -484,6 +484,7 @@ FMI2(fmi2Status, fmi2DoStep)
 (fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean is_no_state_before) {
   Unit* const unit = (Unit*)c;
   (void)is_no_state_before;
+  if (!isfinite(time + step) || step < 0.0) return fail(unit, "doStep: expected a finite time and a step >= 0 s");
   if (unit->has_drive && step > 0.0) {
     const fmi2Status status = step_drive(unit, time, step);
     if (status != fmi2OK) return status;

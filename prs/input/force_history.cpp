@@ -167,8 +167,9 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name, 
 
 namespace {
 
-/// Path as messages show it.
+/// Path in messages; a name in angle brackets stands for data that no file has, as those of Python's arguments.
 std::filesystem::path shown_path(const std::string& file, const Source& source) {
+  if (file.starts_with('<')) return file;
   return std::filesystem::path(source.name).parent_path() / file;
 }
 

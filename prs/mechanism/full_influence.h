@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/mechanism/full_distribution.h"
+#include "prs/sector/influence/flexibility_around.h"
 #include "prs/sector/influence/influence_solver.h"
 
 namespace prs {

@@ -154,8 +154,11 @@ std::vector<Problem> check_motor(const MotorDuty& duty, const Conditions& c) {
 std::string wrong_length(const std::optional<int>& cycles, std::size_t steps) {
   constexpr std::size_t kMost = 100'000;
   if (!cycles || static_cast<std::size_t>(*cycles) * steps <= kMost) return {};
-  return fmt::format("got {} cycles of {} steps; expected at most {} steps in all; state fewer, longer steps", *cycles,
-                     steps, kMost);
+  return fmt::format(
+      "got {} cycles; expected at most {} of this cycle, each of whose loads is computed in turn; take fewer cycles, "
+      "or "
+      "describe one by fewer, longer loads",
+      *cycles, kMost / steps);
 }
 
 std::string wrong_start(const std::optional<PerPart<double>>& start, const Limits& limits) {

@@ -1,19 +1,23 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "prs/model/load_case.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
 
-/// CSV file that names its fields where it writes them: the names of the first row are the header. It takes numbers in
-/// SI and writes them in the units of their names.
+/// CSV file that names its fields where it writes them: the names of the first row are the header, and a later row with
+/// other names throws std::logic_error. It takes numbers in SI and writes them in the units of their names.
 class CsvRows {
  public:
   explicit CsvRows(const CsvStyle& style) : head_(style), rows_(style, CsvWriter::Part::rows) {}
 
   template <class T>
   void operator()(std::string_view name, const T& value) {
-    if (is_first_) head_.text(name);
+    this->name(name);
     rows_.field(value, unit_of(name).factor);
   }
 
@@ -61,9 +65,12 @@ class CsvRows {
   std::string take() { return head_.take() + rows_.take(); }
 
  private:
+  void name(std::string_view field);
   void name(std::string_view prefix, std::string_view key);
 
   CsvWriter head_, rows_;
+  std::vector<std::string> names_;
+  std::size_t column_ = 0;
   bool is_first_ = true;
 };
 

@@ -70,11 +70,22 @@ void mark_pareto(std::vector<SizedCandidate>& all) {
   }
 }
 
-std::optional<Relaxation> relaxation(const std::vector<SizedCandidate>& all) {
+/// Whether a value makes sense as the limit of its criterion: no safety below 1, no speed beyond the critical one, no
+/// temperature at which the input warns of oils.
+bool may_be_limit(const SizeCriterion& c, const Requirement& r) {
+  constexpr double kHottestOil = 570.0;  // See `lubricant.temperature` in prs/input/echo.cpp [K].
+  const double value = *c.value;
+  if (c.name == "temperature") return value <= kHottestOil - kZeroCelsius;
+  if (c.name == "critical_speed") return value <= 1.0;
+  if (c.name == "brake") return value * r.brake_safety >= 1.0;
+  return c.name == "buckling" || c.name.ends_with("safety") ? value >= 1.0 : value > 0.0;
+}
+
+std::optional<Relaxation> relaxation(const std::vector<SizedCandidate>& all, const Requirement& r) {
   for (const SizedCandidate& c : all)
     if (c.missed().size() == 1)
       for (const SizeCriterion& missed : c.criteria)
-        if (!missed.holds() && missed.margin)
+        if (!missed.holds() && missed.margin && may_be_limit(missed, r))
           return Relaxation{missed.name, c.rank, *missed.limit, *missed.value, *missed.margin};
   return std::nullopt;
 }
@@ -160,7 +171,7 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
   int rank = 0;
   for (SizedCandidate& c : result.candidates) c.rank = ++rank;
   mark_pareto(result.candidates);
-  if (result.passing() == 0) result.relax = relaxation(result.candidates);
+  if (result.passing() == 0) result.relax = relaxation(result.candidates, result.input.values);
   for (SizedCandidate& c : result.candidates)
     if (c.mission && c.rank != static_cast<int>(std::max<std::size_t>(options.curve_of, 1)))
       c.mission->time.clear(), c.mission->temperature = {};
@@ -465,7 +476,7 @@ std::vector<CandidateData> candidates_of(const SizeInput& in, std::vector<Warnin
       const auto& [file, list] = (*from.catalogue)[k];
       const std::string path = catalogue_file_key(*from.catalogue, k);
       std::ranges::move(CatalogueReader(input::named_file_text(file, path, in.source),
-                                        input::name_in_messages(file, in.source), in.source, path, list)
+                                        input::name_in_messages(file, in.source), in.source, path, list.value_or(file))
                             .read(warnings),
                         std::back_inserter(all));
     }

@@ -510,7 +510,7 @@ Figures mission(const SizeResult& r) {
 /// Ratio and reflected mass of a lever over its angle.
 Figures lever(const SizeResult& r) {
   const std::optional<LeverMotion> motion = lever_of(r.input);
-  if (!motion) return {};
+  if (!motion || motion->angles[0] == motion->angles[1]) return {};
   constexpr double kDegrees = "deg"_per_si, kSteps = 90.0;
   Figure figure{"size_lever", "Lever"};
   figure.x = {"Angle between base and arm", "deg", kDegrees * motion->angles[0], kDegrees * motion->angles[1]};
@@ -571,7 +571,7 @@ Pictures size_pictures(const SizeResult& r) {
           {"size_curve", "a mean load and a limit of speed", of_result(r, curve)},
           {"size_margins", "criteria with margins", of_result(r, margins)},
           {"size_mission", "a mission", of_result(r, mission)},
-          {"size_lever", "a lever", of_result(r, lever)}};
+          {"size_lever", "a lever that moves", of_result(r, lever)}};
 }
 
 namespace {
@@ -619,6 +619,10 @@ std::string verdict(const SizeResult& r) {
         "  ", 2,
         fmt::format("To relax: with {} of {:.4g} in place of {:.4g}, {} passes.", words_of(r.relax->criterion),
                     r.relax->needed, r.relax->limit, r.candidates[static_cast<std::size_t>(r.relax->rank) - 1].name));
+  else
+    text += hanging("  ", 2,
+                    "To relax: no limit alone suffices, with safeties of at least 1, speeds up to the critical one and "
+                    "temperatures of oils. Relax several, change the motion, or add candidates.");
   return text;
 }
 

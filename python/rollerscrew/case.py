@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import csv
 import io
+import json
 import math
 import os
 import re
@@ -51,8 +52,8 @@ if TYPE_CHECKING:
 
 _FILE = "<case>"
 
-#: Stands for the file of a history that is given as arrays.
-_HISTORY = "history of arrays.csv"
+#: Name of a history that is given as arrays. Messages put no folder before a name in such brackets.
+_HISTORY = "<history>"
 
 #: Options of a history; others are those of `life`.
 _OF_HISTORY = ("interval", "hysteresis", "bins")
@@ -578,9 +579,9 @@ class Case(Analyses):
         frames = reference if isinstance(reference, list) else [reference]
         given, blocks = dict(files or {}), []
         for k, columns in enumerate(map(_with_index, frames), start=1):
-            file = "reference.csv" if len(frames) == 1 else f"reference {k}.csv"
-            given[file] = _csv_of("reference", columns)
-            blocks.append({"file": file, **options})
+            stem = "reference" if len(frames) == 1 else f"reference {k}"
+            given[f"<{stem}>"] = _csv_of(stem, columns)
+            blocks.append({"file": f"<{stem}>", "name": stem, **options})
         changed = [*overrides, f"references={override_text(blocks)}"]
         return self._from_source(_source(name, text, changed, folder, given))
 
@@ -612,9 +613,10 @@ class Case(Analyses):
         for curve, columns in data.items():
             if curve not in names:
                 raise ValueError(f"{curve}: got no curve; expected one of {', '.join(names)}")
-            file = f"data of curve {names.index(curve) + 1}.csv"
+            at = names.index(curve)
+            file = f"<data[{curve!r}]>" if len(curve) < 80 else f"<data of curve {at + 1}>"
             given[file] = _csv_of(curve, columns)
-            changed.append(f"fit.curves[{names.index(curve)}].file={override_text(file)}")
+            changed.append(f"fit.curves[{at}].file={json.dumps(file, ensure_ascii=False)}")
         return self._from_source(_source(name, text, changed, folder, given))
 
     def optimize(

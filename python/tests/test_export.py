@@ -120,6 +120,32 @@ def test_unit_refuses_what_is_no_number(unit: Path) -> None:
         simulated(unit, [math.nan], [0.0])
 
 
+@pytest.mark.parametrize("with_drive", [False, True])
+def test_unit_refuses_steps_that_do_not_go_on(
+    unit: Path, tmp_path: Path, with_drive: bool, capfd: pytest.CaptureFixture[str]
+) -> None:
+    fmpy = pytest.importorskip("fmpy")
+    file = str(drive_unit(tmp_path) if with_drive else unit)
+    description = fmpy.read_model_description(file)
+    slave: Any = fmpy.fmi2.FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=fmpy.extract(file, str(tmp_path / "unit")),
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="unit",
+    )
+    slave.instantiate()
+    slave.setupExperiment(startTime=0.0)
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+    for time, step in ((0.0, -1e-3), (0.0, math.nan), (0.0, math.inf), (math.nan, 1e-3)):
+        with pytest.raises(Exception, match="fmi2DoStep.*error"):
+            slave.doStep(time, step)
+        assert "expected a finite time and a step >= 0 s" in capfd.readouterr().out
+    slave.doStep(0.0, 1e-3)
+    slave.terminate()
+    slave.freeInstance()
+
+
 def test_same_case_same_bytes(case: rs.Case, unit: Path, tmp_path: Path) -> None:
     case.export_fmu(tmp_path / "screw.fmu", force=LARGEST)
     assert (tmp_path / "screw.fmu").read_bytes() == unit.read_bytes()

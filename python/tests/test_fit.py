@@ -63,6 +63,11 @@ def test_data_takes_the_place_of_files(bench: rs.Case) -> None:
     unequal = {"force_kN": [1.0, 2.0], "torque_Nm": [1.0]}
     with pytest.raises(ValueError, match="expected as many of each column"):
         rs.fit(bench, parameters, [TORQUE], data={"torque": unequal})
+    hole = frame.assign(torque_Nm=frame["torque_Nm"].where(frame.index != 3))
+    with pytest.raises(
+        rs.InputError, match=r"^<data\['torque'\]>:5:\d+: error: torque_Nm: got nan"
+    ):
+        rs.fit(bench, parameters, [TORQUE], data={"torque": hole})
     with pytest.raises(ValueError, match="expected one of torque"):
         rs.fit(bench, parameters, [TORQUE], data={"turque": frame})
 

@@ -244,6 +244,12 @@ def test_histories_that_are_none(
         lesson(14).life(history=history, **options)
 
 
+def test_histories_are_named_as_the_argument() -> None:
+    backwards = HISTORY | {"time": (-HISTORY["time"][0], "s")}
+    with pytest.raises(rs.InputError, match="^<history>:3:"):
+        lesson(14).life(history=backwards)
+
+
 # Pickles
 
 

@@ -40,7 +40,8 @@ def test_several_references_stand_side_by_side() -> None:
     own, other = table(case), table(case)
     other["screw.load_rate_percent"] = [5.0] * 20
     result = case.compare([own, other])
-    assert [r.file for r in result.references or []] == ["reference 1.csv", "reference 2.csv"]
+    assert [r.name for r in result.references or []] == ["reference 1", "reference 2"]
+    assert [r.file for r in result.references or []] == ["<reference 1>", "<reference 2>"]
 
 
 def test_threads_and_load_cases_may_be_the_index() -> None:
@@ -57,7 +58,7 @@ def test_what_is_wrong_is_named_where_it_stands() -> None:
     case = lesson(1)
     wrong = table(case)
     wrong["thread"][3] = 21.0  # type: ignore[call-overload]
-    with pytest.raises(rs.InputError, match=r"reference.csv:5:\d+: error: thread: got 21"):
+    with pytest.raises(rs.InputError, match=r"^<reference>:5:\d+: error: thread: got 21"):
         case.compare(wrong)
     with pytest.raises(ValueError, match="as many of each column"):
         case.compare({"thread": [1.0], "screw.load_rate_percent": [5.0, 6.0]})

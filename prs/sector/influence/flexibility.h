@@ -4,6 +4,7 @@
 
 #include "prs/sector/influence/grooved_body.h"
 #include "prs/sector/influence/matrix_cache.h"
+#include "prs/sector/influence/thrust_face.h"
 #include "prs/sector/sector.h"
 
 namespace prs {
@@ -20,36 +21,6 @@ struct Teeth {
   int step = 1;
   int contacts = 1;
   FlexibilityOptions options;
-};
-
-/// A body that rests with nodes of a plane face on a rigid shoulder without friction. With R the
-/// axial reactions, P the loads and U the axial rigid motion,
-///
-///     u_nodes = G_nn R + G_nl P + U 1,   u_loads = G_ln R + G_ll P + a U,   1'R + a'P = 0,
-///
-/// where the flexibilities G hold against one node of the face and a are the axial resultants of
-/// unit loads. Nodes that touch have u = 0. [m/N]
-struct ThrustFace {
-  Eigen::MatrixXd nodes;       ///< G_nn; row and column of the reference node are zero.
-  Eigen::MatrixXd coupling;    ///< G_nl
-  Eigen::MatrixXd loads;       ///< G_ll
-  Eigen::VectorXd resultants;  ///< a [-]
-
-  /// Nodes of the face that touch the shoulder.
-  using Touching = std::vector<Eigen::Index>;
-
-  Touching all() const;
-  /// Load vector of 1 N on each of the first `contacts` loads.
-  Eigen::VectorXd equal_loads(int contacts) const {
-    Eigen::VectorXd p = Eigen::VectorXd::Zero(loads.rows());
-    p.head(contacts).setOnes();
-    return p;
-  }
-  /// Flexibility at the loads while the given nodes touch.
-  Eigen::MatrixXd flexibility(const Touching& touching) const;
-  /// Nodes that touch under loads P if the shoulder can only push, found from a first guess by removing nodes that pull
-  /// and adding those that would penetrate. The shoulder pushes against a'P. None if that does not converge.
-  std::optional<Touching> touching_under(const Eigen::VectorXd& loads, Touching guess) const;
 };
 
 /// Displacements of one body at its contacts under unit normal forces: pressure-weighted means along the inward normal,
@@ -116,36 +87,6 @@ Flexibility nut_flexibility(const BodyGeometry& body, Direction direction, doubl
 /// the axis is held, so that single entries depend on that point, but not the displacements under loads in balance.
 Flexibility roller_flexibility(const BodyGeometry& body, Direction direction, const FlexibilityOptions& options,
                                MatrixCache& cache = shared_matrix_cache());
-
-/// Flexibility of screw or nut under unequal loads of N rollers. With g_n(i, k) the displacement of harmonic n at
-/// thread i by a unit load at thread k, that of roller j by roller l is
-///
-///     G = sum_n g_n cos n(phi_j - phi_l),
-///
-/// a block circulant matrix. Loads cos(m phi_j) see its mode m, N/2 times the sum of the g_n with n = m + q N or -m + q
-/// N, twice that for m = 0 and m = N/2. [m/N]
-struct FlexibilityAround {
-  /// m = 0 .. N/2, each a matrix over the threads; m = 0 is `Flexibility::matrix`. Without the
-  /// half-space part of a contact's own patch.
-  std::vector<Eigen::MatrixXd> modes;
-  /// Harmonic 1 at the threads by unit loads on given sections, two columns for each: a lateral force, spread over the
-  /// section, and a moment that turns its slope.
-  Eigen::MatrixXd coupling;
-  /// Mean lateral displacement and slope of each section by these loads.
-  Eigen::MatrixXd sections;
-};
-
-/// Flexibility of the screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal
-/// ridges up to n a_t/r = `largest_wave`, then those of the half-space. `sections` are axial places from the loaded
-/// section [m]. Behind the body they lie on a beam of its pitch diameter.
-FlexibilityAround screw_around(const BodyGeometry& body, Direction direction, const std::vector<double>& sections,
-                               const FlexibilityOptions& options, MatrixCache& cache = shared_matrix_cache());
-
-/// Flexibility of the nut: n = 1 on the whole body, its thrust face clamped; 2 to 6 on the whole body, free; higher
-/// harmonics like the screw's.
-FlexibilityAround nut_around(const BodyGeometry& body, Direction direction, double position,
-                             const std::vector<double>& sections, const FlexibilityOptions& options,
-                             MatrixCache& cache = shared_matrix_cache());
 
 /// Defines members(value), a tuple of all members of a type that a computation depends on. It does not compile unless
 /// every member is named.
@@ -247,5 +188,8 @@ std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut);
 /// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights
 /// of its mean sideways displacement, 1/2 (U - V).
 Eigen::VectorXd transverse_force(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section);
+/// Loads of harmonic 1, a moment of 1 N m that turns the slope of a section; also the weights of its mean
+/// slope, by axial displacements -r y'.
+Eigen::VectorXd turning_moment(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section);
 
 }  // namespace prs

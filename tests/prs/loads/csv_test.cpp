@@ -79,6 +79,22 @@ TEST(Csv, NamesOfTheFirstRowAreTheHeaderAndHaveTheUnitsOfItsNumbers) {
             "-0.02,0.5,,30,40,\n");
 }
 
+TEST(Csv, ALaterRowWithOtherFieldsIsAnError) {
+  const auto write = [](std::initializer_list<const char*> second) {
+    CsvRows csv(CsvStyle{});
+    csv("force_kN", 1e3);
+    csv.record("mean_", PartNumbers{20.0, 30.0, 40.0}, "", "rollers");
+    csv.end_row();
+    for (const char* name : second) csv(name, 1.0);
+    csv.end_row();
+  };
+  EXPECT_NO_THROW(write({"force_kN", "mean_screw"}));
+  EXPECT_THROW(write({"force_kN", "mean_nut"}), std::logic_error);
+  EXPECT_THROW(write({"mean_screw", "force_kN"}), std::logic_error);
+  EXPECT_THROW(write({"force_kN"}), std::logic_error);
+  EXPECT_THROW(write({"force_kN", "mean_screw", "share"}), std::logic_error);
+}
+
 TEST(Csv, FieldsAreWrittenAsTheirTypesSay) {
   CsvWriter csv(CsvStyle{});
   csv.row("a,b", true, 3, std::optional<std::size_t>(), 0.5, scaled(std::nullopt, 1e3),

@@ -256,6 +256,21 @@ TEST(Size, CandidatesWithoutTheObjectiveComeLast) {
   EXPECT_EQ(r.candidates[2].name, "39x10");
 }
 
+/// The source is called as the requirement names its file, wherever the requirement stands.
+TEST(SizeCatalogue, HasItsNameWithoutTheFolderOfTheRequirement) {
+  SizeInput in = read(
+      "motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}]}\n"
+      "candidates: {catalogue: [{file: lists/own.csv}, {file: lists/own.csv, source: maker A}]}\n");
+  in.source.files.emplace()["lists/own.csv"] = "screw_diameter_mm,lead_mm,starts\n48,10,5\n";
+  for (const char* name : {"press.yaml", "axes/press.yaml"}) {
+    in.source.name = name;
+    std::vector<Warning> warnings;
+    const std::vector<CandidateData> all = candidates_of(in, warnings);
+    EXPECT_EQ(all.at(0).list, "lists/own.csv");
+    EXPECT_EQ(all.at(1).list, "maker A");
+  }
+}
+
 /// A catalogue as German makers print and spreadsheets write it.
 TEST(Size, ReadsAMakersCatalogueWithDecimalCommas) {
   const auto first = [](const char* csv, std::vector<Warning>& warnings) {
@@ -919,6 +934,14 @@ TEST(SizePictures, ALeverIsDrawnOverItsAngle) {
   EXPECT_NEAR(first(1)[1], 22.518519, 1e-6);
 }
 
+TEST(SizePictures, ALeverThatOnlyHoldsHasNone) {
+  const SizeResult r = sized(
+      of_one("linkage: {base: 500 mm, arm: 300 mm}\n"
+             "motion: {start_angle: 60 deg, segments: [{duration: 1 s, end_speed: 0 deg/s, torque: 300 N m}]}\n"));
+  const Pictures all = size_pictures(r);
+  EXPECT_TRUE(std::ranges::find(all, "size_lever", &Picture::name)->make({}).empty());
+}
+
 struct Wrong {
   const char* text;
   const char* place;
@@ -994,6 +1017,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "lead: {from: 5 mm, to: 9 mm, steps: 400}}}\n",
               "2:13", "at most 100000"},
         Wrong{MOTION "heat: {cycles: 0}\n", "2:16", "got 0"},
+        Wrong{"motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}, {duration: 1 s, end_speed: 0 "
+              "mm/s}]}\n"
+              "heat: {cycles: 60000}\n",
+              "2:16", "got 60000 cycles; expected at most 50000 of this cycle"},
         Wrong{MOTION "heat: {start: 20 degC}\n", "2:8", "it stands with `cycles`"},
         Wrong{MOTION "heat: {cycles: 2, start: 90 degC}\nlimits: {temperature: 80 degC}\n", "2:26",
               "less than 80 degC, `limits.temperature`"},

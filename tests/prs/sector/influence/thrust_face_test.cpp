@@ -1,4 +1,4 @@
-#include "prs/sector/influence/flexibility.h"
+#include "prs/sector/influence/thrust_face.h"
 
 #include <gtest/gtest.h>
 
