@@ -9,7 +9,7 @@ import { saveFile } from './files.js';
 import { headlinesOf, responseInfo } from './headlines.js';
 import { current, questionOf, state } from './store.js';
 import { t } from './texts.js';
-import { number, shownIn } from './units.js';
+import { number, prose, shownIn } from './units.js';
 
 /** Those of the case at hand. */
 export function studiesOf(v = current()) {
@@ -227,7 +227,7 @@ export function Studies() {
           <progress max={progress[1] || 1} value={progress[0]} aria-label={t('studies')} /> <span role="status">{t('progress', ...progress)}</span></>}
         {result && <button type="button" onClick={() => saveFile(`${v.name}.study.json`, 'application/json', `${JSON.stringify(result, null, 2)}\n`)}>{t('download')}</button>}
       </p>
-      {trouble && <p class="trouble" role="alert">{trouble}</p>}
+      {trouble && <p class="trouble" role="alert">{prose(trouble)}</p>}
       {Result && <Result asked={result.asked} found={result.found} />}
     </section>
   );
