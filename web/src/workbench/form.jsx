@@ -162,7 +162,7 @@ export function Form() {
             <summary>{words(block)} <small>{inputs.length}</small></summary>
             <p class="meaning">{prose(meaning(schema.properties[block]))}</p>
             {inputs.map((input, k) => (
-              <div key={input.path} hidden={words_.length > 0 && !isWanted(input)}><Field input={input} schema={schema} reasonAbove={inputs[k - 1]?.reason} /></div>
+              <div key={input.path} hidden={words_.length > 0 && !isWanted(input)}><Field input={input} schema={schema} reasonAbove={inputs.slice(0, k).findLast(({ reason }) => reason)?.reason} /></div>
             ))}
             <AddTo block={block} schema={schema} inputs={inputs} />
           </details>
