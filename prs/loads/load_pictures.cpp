@@ -576,7 +576,7 @@ Figure roller_shares(const Result& result, const LoadCaseResult& shown) {
     const double azimuth = shown.full->carrier_angle + 2.0 * std::numbers::pi * j / count;
     const auto [y, z] = towards(threads.centre_distance, azimuth);
     const bool is_side = std::abs(std::cos(azimuth)) > 0.5;  // The text begins or ends there, others are centred.
-    const auto [at_y, at_z] = towards((is_side ? 1.06 : 1.13) * nut, azimuth);
+    const auto [at_y, at_z] = towards((is_side ? 1.06 : 1.16) * nut, azimuth);
     const Label::Anchor anchor = !is_side     ? Label::Anchor::centre
                                  : at_y > 0.0 ? Label::Anchor::left
                                               : Label::Anchor::right;
