@@ -345,7 +345,7 @@ std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
 std::string row_text(const FitCurve& c, std::size_t row) {
   std::string text = " ";
   for (const FitCondition& condition : c.conditions)
-    text += fmt::format(" {} {}", condition.path.substr(condition.path.rfind('.') + 1), condition.texts[row]);
+    text += fmt::format(" {} {}", words_of(condition.path.substr(condition.path.rfind('.') + 1)), condition.texts[row]);
   return text;
 }
 

@@ -575,10 +575,14 @@ Figure roller_shares(const Result& result, const LoadCaseResult& shown) {
   for (int j = 0; j < count; ++j) {
     const double azimuth = shown.full->carrier_angle + 2.0 * std::numbers::pi * j / count;
     const auto [y, z] = towards(threads.centre_distance, azimuth);
-    const auto [at_y, at_z] = towards(1.13 * nut, azimuth);
+    const bool is_side = std::abs(std::cos(azimuth)) > 0.5;  // The text begins or ends there, others are centred.
+    const auto [at_y, at_z] = towards((is_side ? 1.06 : 1.16) * nut, azimuth);
+    const Label::Anchor anchor = !is_side     ? Label::Anchor::centre
+                                 : at_y > 0.0 ? Label::Anchor::left
+                                              : Label::Anchor::right;
     const bool missing = std::ranges::count(shown.full->missing_rollers, j + 1) > 0;
     const double percent = share[static_cast<std::size_t>(j)] * count * "%"_per_si;
-    panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false, Label::Anchor::centre});
+    panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false, anchor});
     if (missing) continue;
     panel.labels.push_back({fmt::to_string(j + 1), y, z, false, Label::Anchor::centre});
     rollers.parts.push_back(circle(y, z, contact::ThreadSurface(threads.roller).pitch_radius));

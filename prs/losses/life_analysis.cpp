@@ -277,16 +277,17 @@ Panel course_panel(const LoadHistory& h) {
 
 /// Share of the revolutions over the force.
 Panel travel_panel(const LifeResult& r) {
-  constexpr int kBins = 40;
+  const int bins = r.history ? 40 : 20;
   Panel panel{"Revolutions under load"};
   Range forces{0.0, 0.0};
   for (const LoadStep& s : r.steps) forces.include(s.axial_force);
-  const double width = (forces.to - forces.from) / kBins;
-  std::vector<double> share(kBins, 0.0), damage(kBins, 0.0);
+  if (!r.history) forces.widen(0.5 / (bins - 1));  // Bars with their middle at the smallest and the largest load.
+  const double width = (forces.to - forces.from) / bins;
+  std::vector<double> share(static_cast<std::size_t>(bins), 0.0), damage = share;
   double all_damage = 0.0;
   for (const LoadStep& s : r.steps) {
     const auto bin =
-        static_cast<std::size_t>(std::clamp(static_cast<int>((s.axial_force - forces.from) / width), 0, kBins - 1));
+        static_cast<std::size_t>(std::clamp(static_cast<int>((s.axial_force - forces.from) / width), 0, bins - 1));
     const double done = std::pow(std::abs(s.axial_force), kLifeExponent) * s.revolutions;
     share[bin] += s.revolutions / r.revolutions;
     damage[bin] += done;
@@ -298,7 +299,7 @@ Panel travel_panel(const LifeResult& r) {
     const double x = (forces.from + width * (static_cast<double>(k) + 0.5)) * "kN"_per_si;
     const double part = all_damage > 0.0 ? damage[k] / all_damage : 0.0;
     shares.parts.push_back(bar(x, 0.0, "%"_per_si * share[k], 0.46 * width * "kN"_per_si));
-    damages.parts[0].push_back({x, "%"_per_si * part});
+    if (r.history || part > 0.0) damages.parts[0].push_back({x, "%"_per_si * part});
     top = std::max({top, share[k], part});
   }
   panel.series = {std::move(shares), std::move(damages)};
@@ -361,7 +362,8 @@ Figure load_history(const LifeResult& r) {
   Figure figure{"loads", r.history ? "Load history" : "Load spectrum"};
   figure.columns = r.history ? 2 : 1;
   figure.add(r.history ? "load, revolutions" : "revolutions", area_of(Colour::sky));
-  figure.add("damage, |F|³ times revolutions", {Colour::vermillion, Dash::solid, Mark::circle, Weight::thin});
+  figure.add("damage, |F|³ times revolutions",
+             {Colour::vermillion, r.history ? Dash::solid : Dash::none, Mark::circle, Weight::thin});
   if (r.history) figure.panels.push_back(course_panel(*r.history));
   figure.panels.push_back(travel_panel(r));
   return figure;

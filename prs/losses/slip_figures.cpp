@@ -454,7 +454,8 @@ Figure power_bars(std::vector<const LoadCaseResult*> cases) {
   Figure figure{"power_by_source", "Power lost by source"};
   keep_first(cases, kMostBars, figure.title);
   figure.y = {"Power lost", "W", 0.0};
-  figure.x = {"", "", 0.4, std::max(static_cast<double>(cases.size()) + 0.6, 2.6)};
+  const double middle = 0.5 * static_cast<double>(cases.size() + 1), reach = std::max(middle - 0.4, 1.1);
+  figure.x = {"", "", middle - reach, middle + reach};
   Panel& panel = figure.panels.emplace_back();
   for (const auto k : indices(kPowerSources)) {
     Series bars;

@@ -201,9 +201,9 @@ std::string slider_html(const Findings& all, const Slider& slider, int index) {
       "for=\"v{2}\">{3}</label><input id=\"v{2}\" type=\"text\" value=\"{1}\" autocomplete=\"off\" "
       "spellcheck=\"false\"><input type=\"range\" aria-label=\"{3}, slider\" min=\"{4}\" "
       "max=\"{5}\" step=\"{6}\" value=\"{7}\" data-unit=\"{8}\"></div>\n",
-      html(fmt::format("{}", fmt::join(slider.paths, " "))), html(short_text(slider.shown, shown)), index, html(title),
-      in_shown_unit(least), in_shown_unit(most), control.kind == Span::whole ? "1" : "any", shown.number,
-      html(shown.unit));
+      html(fmt::format("{}", fmt::join(slider.paths, " "))), html(short_text(slider.shown, shown)), index,
+      html(name_with_signs(title)), in_shown_unit(least), in_shown_unit(most),
+      control.kind == Span::whole ? "1" : "any", shown.number, html(shown.unit));
 }
 
 /// Item of the list that an input belongs to, `load_cases[0]`; empty if there is none.
@@ -384,7 +384,7 @@ Json thread_choices(const Findings& all) {
   double most = -1.0;
   for (const LoadCaseResult& load_case : loads->delivery.result<Result>()->load_cases) {
     const std::size_t place = choices["cases"].size();
-    choices["cases"].push_back(printable(load_case.load_case.name));
+    choices["cases"].push_back(name_with_signs(printable(load_case.load_case.name)));
     if (!load_case.threads || load_case.threads->screw.normal_load.empty()) continue;
     const InterfaceLoads& screw = load_case.threads->screw;
     const std::size_t count = screw.normal_load.size();

@@ -191,7 +191,7 @@ std::string requirement_html(const Findings& all) {
   const auto fact = [](const char* title, const std::string& value) {
     return value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, value);
   };
-  return "<dl class=\"facts\">\n" + fact("Loads", html(fmt::format("{}", fmt::join(loads, "; ")))) +
+  return "<dl class=\"facts\">\n" + fact("Loads", prose_html(fmt::format("{}", fmt::join(loads, "; ")))) +
          fact("Loads of the life", prose_html(input_value(all, "life.history.file"))) +
          fact("Speed", prose_html(input_value(all, "operation.speed"))) +
          fact("Limits", fmt::format("{}", fmt::join(limits, "; "))) + "</dl>\n";
@@ -394,7 +394,7 @@ std::string warning_list(const Findings& all, bool assumptions) {
   std::string text = "<ul class=\"warnings\">\n";
   for (const WarningGroup& warning : groups)
     text += fmt::format("<li>{}{}</li>\n", prose_html(warning.text()),
-                        warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
+                        warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", prose_html(warning.where())));
   return text + "</ul>\n";
 }
 

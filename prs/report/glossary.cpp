@@ -66,7 +66,7 @@ void add_quantities(const RecordInfo& info, const Json& record, Meanings& meanin
 }  // namespace
 
 std::string term_html(std::string_view word, std::string_view shown) {
-  return fmt::format("<a class=\"term\" href=\"#{}\" tabindex=\"-1\">{}</a>", term_id(word), prose_html(shown));
+  return fmt::format("<a class=\"term\" href=\"#{}\">{}</a>", term_id(word), prose_html(shown));
 }
 
 bool is_general_term(std::string_view title) {

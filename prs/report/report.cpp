@@ -1,6 +1,7 @@
 #include "prs/report/report.h"
 
 #include <charconv>
+#include <regex>
 
 #include "prs/bodies/body_models.h"
 #include "prs/compare/compare_analysis.h"
@@ -198,7 +199,7 @@ std::string comparison_html(const ModelComparison& comparison) {
       for (const Interface i : kInterfaces)
         if (r.threads && !(*r.threads)[i].load_rate.empty())
           share = std::fmax(share, std::ranges::max((*r.threads)[i].load_rate));
-      rows.push_back({html(r.load_case.name), html(m.model_name()), number("axial_stiffness_N_per_um"),
+      rows.push_back({html(name_with_signs(r.load_case.name)), html(m.model_name()), number("axial_stiffness_N_per_um"),
                       number("axial_displacement_um"),
                       std::isfinite(share) ? report_number(share * "%"_per_si, "%") : "–",
                       number("largest_peak_pressure_MPa")});
@@ -370,7 +371,8 @@ std::string input_shown(const input::EchoEntry& field) {
 /// A value of an input: names break where their parts end, quantities have the signs of print.
 std::string value_of_input_html(const input::EchoEntry& field) {
   const std::string shown = input_shown(field);
-  return shown.find('_') == shown.npos ? prose_html(shown) : breakable_html(shown);
+  static const std::regex kName("[a-z][._][a-z]");
+  return std::regex_search(shown, kName) ? breakable_html(shown) : prose_html(shown);
 }
 
 /// A row for each input that the file states, or for each that it does not.

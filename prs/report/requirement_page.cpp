@@ -20,7 +20,9 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
   for (const std::string_view key : keys) {
     const Quantity<Item>& q = quantity<Item>(key);
     const ReportUnit unit = report_unit(key, q.unit.text);
-    head.push_back(prose_html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", " + unit.text)));
+    std::string shown = unit.text.empty() ? "" : ", " + unit.text;
+    if (const std::size_t space = shown.find(' ', 2); space != shown.npos) shown.replace(space, 1, "\u00a0");
+    head.push_back(prose_html(capitalised(title_of(q)) + shown));
     for (const auto k : indices(rows)) {
       Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);
@@ -76,8 +78,9 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
     for (const Picture& p : delivery.pictures())
       if (p.name == name)
         for (const Figure& figure : p.make({}))
-          text += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", prose_html(figure.title),
-                              svg(figure, std::string(name)));
+          text +=
+              fmt::format("<figure><figcaption>{}</figcaption><div class=\"wide\" tabindex=\"0\">{}</div></figure>\n",
+                          prose_html(figure.title), svg(figure, std::string(name)));
     return text;
   };
   const MotionCycle& cycle = result.input.cycle;

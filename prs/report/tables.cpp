@@ -136,6 +136,11 @@ int digits_in(std::string_view unit) {
 
 }  // namespace
 
+std::string name_with_signs(const std::string& name) {
+  static const std::regex kDegrees(R"((\d) deg\b)");
+  return std::regex_replace(name, kDegrees, "$1°");
+}
+
 std::string prose_html(std::string_view sentence) {
   static const std::pair<std::regex, const char*> kSigns[] = {
       {std::regex(R"(\bum\b)"), "µm"},
@@ -225,7 +230,7 @@ std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>
   std::string head;
   const bool titled = std::ranges::any_of(columns, [](const RecordColumn& c) { return !c.title.empty(); });
   for (const RecordColumn& column : columns)
-    head += fmt::format("<th scope=\"col\">{}</th>", breakable_html(column.title));
+    head += fmt::format("<th scope=\"col\">{}</th>", breakable_html(name_with_signs(column.title)));
   constexpr std::size_t kFewColumns = 5;
   return fmt::format(
       "<div class=\"wide\" tabindex=\"0\"><table "
@@ -260,10 +265,11 @@ std::string plain_table(const std::vector<std::string>& head, const std::vector<
                         bool of_numbers) {
   std::string text =
       fmt::format("<div class=\"wide\" tabindex=\"0\"><table{}>\n", of_numbers ? " class=\"quantities\"" : "");
-  const auto look = [&](std::size_t column) {  // Words begin at the left, numbers end at the right.
+  const auto look = [&](std::size_t column) {           // Words begin at the left, numbers end at the right.
+    static const std::regex kName("[0-9][A-Za-df-z]");  // As in `30x10`.
     const auto has_words = [&](const std::vector<std::string>& row) {
       return column < row.size() && !row[column].empty() && row[column] != "–" &&
-             row[column].find_first_of("0123456789") > 3;
+             (row[column].find_first_of("0123456789") > 3 || std::regex_search(row[column], kName));
     };
     return of_numbers && column > 0 && std::ranges::any_of(rows, has_words) ? " class=\"words\"" : "";
   };

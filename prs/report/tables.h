@@ -26,6 +26,9 @@ std::string report_number(double value, std::string_view unit);
 /// `kg/m³`.
 std::string prose_html(std::string_view sentence);
 
+/// The name of a load case with the sign of degrees.
+std::string name_with_signs(const std::string& name);
+
 /// A name or a path as HTML that breaks where its parts end.
 std::string breakable_html(std::string_view name);
 

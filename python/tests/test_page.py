@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import CONFIGS, Run, lessons
+from conftest import CONFIGS, REPOSITORY, Run, lessons
 
 webdriver = pytest.importorskip("selenium.webdriver")
 pypdf = pytest.importorskip("pypdf")
@@ -31,6 +31,25 @@ from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
 
 #: Those that run at once: load cases, contacts from the geometry, a history, all rollers, films.
 QUICK = {1, 4, 14, 24, 29}
+
+AXE = REPOSITORY / "web" / "node_modules" / "axe-core" / "axe.min.js"
+
+#: Words of the page that stand on two lines, where no hyphen, slash or bracket lets them.
+BROKEN_WORDS = r"""
+const broken = [], range = document.createRange();
+const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+while (texts.nextNode()) {
+  const node = texts.currentNode;
+  if (node.parentElement.closest('code, .mono, script, style, svg')) continue;
+  for (const { 0: word, index } of node.data.matchAll(/[^\s\-\/,;:.…|–]{2,}/g)) {
+    range.setStart(node, index);
+    range.setEnd(node, index + word.length);
+    if (new Set([...range.getClientRects()].map((box) => Math.round(box.top))).size > 1)
+      broken.push(word);
+  }
+}
+return broken;
+"""
 
 #: Seconds until something that must come is missing; only a page that hangs takes so long.
 PATIENCE = 300
@@ -589,6 +608,61 @@ def test_prints_every_section_on_a4(browser: Browser, page: Callable[..., Path])
     assert "One thread" not in text  # Nothing was chosen: no heading over nothing.
     assert re.search(r"Sheet 1 of \d", text)
     assert "Try other values" not in text
+
+
+def test_the_sheet_to_sign_is_one_sheet(
+    browser: Browser, screw: Path, program: Run, tmp_path: Path
+) -> None:
+    """With a whole title block, limits, and assumptions that fill their list."""
+    blocks = """
+limits: {life: 5000 h, static_safety: 3, peak_pressure: 2.5 GPa, efficiency: 75 %}
+report: {title: Feed axis, customer: ACME, number: Z-001, revision: A, author: J. Doe}
+"""
+    screw.write_text(screw.read_text() + blocks)
+    assert program("report", screw, "--summary", "--output", tmp_path / "page.html").returncode == 0
+    browser.open(tmp_path / "page.html")
+    printed = browser.driver.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})
+    assert len(pypdf.PdfReader(io.BytesIO(base64.b64decode(printed["data"]))).pages) == 1
+
+
+@pytest.mark.parametrize("case", ["24_misalignment", "32_press", "37_bench"])
+def test_words_are_whole_and_the_page_is_accessible(
+    case: str, browser: Browser, program: Run, tmp_path: Path
+) -> None:
+    file, report = CONFIGS / f"{case}.yaml", tmp_path / "page.html"
+    assert program("report", file, "--static", "--output", report).returncode == 0
+    if not AXE.is_file():
+        pytest.skip("no axe-core: run `npm ci` in web/")
+    report.write_text(re.sub(r"<meta http-equiv[^>]*>", "", report.read_text()))  # Lets axe in.
+    try:
+        for width in (390, 800, 1600):
+            browser.resize(width, 1000)
+            browser.open(report)
+            assert browser.driver.execute_script(BROKEN_WORDS) == [], width
+            browser.driver.execute_script(AXE.read_text(encoding="utf-8"))
+            violations = browser.driver.execute_async_script(
+                "axe.run().then(({ violations }) => arguments[0](violations.map((v) => v.id)))"
+            )
+            assert violations == [], width
+    finally:
+        browser.resize(1400, 1000)
+
+
+def test_a_word_of_the_glossary_is_reached_by_keyboard(
+    browser: Browser, program: Run, tmp_path: Path
+) -> None:
+    case, report = CONFIGS / "04_contacts_from_geometry.yaml", tmp_path / "page.html"
+    assert program("report", case, "--static", "--output", report).returncode == 0
+    browser.open(report)
+    for _ in range(60):
+        browser.driver.switch_to.active_element.send_keys(Keys.TAB)
+        word = browser.driver.switch_to.active_element
+        if word.get_attribute("class") == "term":
+            break
+    assert word.get_attribute("class") == "term"
+    assert word.value_of_css_property("outline-style") == "solid"
+    word.send_keys(Keys.ENTER)
+    browser.wait("document.querySelector('.terms dt:target').getClientRects().length > 0")
 
 
 @pytest.mark.parametrize("file", each_lesson())

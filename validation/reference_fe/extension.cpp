@@ -376,7 +376,6 @@ Figure load_rate_figure(const Models& models, std::size_t curve, const Curve& re
     figure.panels.push_back(rate_panel(models, curve, point, i, point.load_rate[i], styles, error));
   const Axis difference = difference_axis({&figure.panels[2], &figure.panels[3]});
   for (std::size_t k : {2u, 3u}) figure.panels[k].y = difference;
-  figure.panels[3].y->label.clear();
   return figure;
 }
 

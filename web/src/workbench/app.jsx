@@ -13,6 +13,7 @@ import {
 } from './store.js';
 import { Studies } from './studies.jsx';
 import { t } from './texts.js';
+import { prose } from './units.js';
 
 const isWrong = () => current()?.status === 2 || current()?.status === 1;
 
@@ -102,7 +103,7 @@ function Views() {
         ))}
       </div>
       <div id="view" role="tabpanel" aria-labelledby={`tab-${chosen}`}>
-        {isWrong() && <p class="trouble" role="alert">{t('wrong')}<br /><span>{current().messages.filter((line) => /error/.test(line)).slice(0, 3).join('\n')}</span></p>}
+        {isWrong() && <p class="trouble" role="alert">{t('wrong')}<br /><span>{prose(current().messages.filter((line) => /error/.test(line)).slice(0, 3).join('\n'))}</span></p>}
         <View />
       </div>
     </div>

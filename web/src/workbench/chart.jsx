@@ -50,7 +50,7 @@ export function Chart({ title, x, y, series }) {
         ))}
       </svg>
       {series.length > 1 && (
-        <ul class="legend">{series.map((s, k) => <li class={`series-${k % 4}`}><svg viewBox="0 0 34 16" aria-hidden="true"><polyline points="1,8 33,8" /><circle cx="17" cy="8" r="3" /></svg>{s.name}</li>)}</ul>
+        <ul class="legend">{series.map((s, k) => s.points.length > 0 && <li class={`series-${k % 4}`}><svg viewBox="0 0 34 16" aria-hidden="true"><polyline points="1,8 33,8" /><circle cx="17" cy="8" r="3" /></svg>{s.name}</li>)}</ul>
       )}
     </figure>
   );

@@ -4,6 +4,7 @@ import { Html } from './results.jsx';
 import { addVariant, ask, changed, current, open, otherFile, page, state, stop } from './store.js';
 import { saveFile } from './files.js';
 import { t } from './texts.js';
+import { prose } from './units.js';
 
 export function Commands() {
   const [shown, setShown] = useState(null);
@@ -29,7 +30,7 @@ export function Commands() {
           return (
             <li key={name}>
               <button type="button" disabled={!isReady || running !== null} onClick={() => run(name)}>prs {name}</button>{' '}
-              <span>{isReady ? help : t('missing', how.missing?.join(', ') ?? '')}</span>
+              <span>{isReady ? prose(help) : t('missing', how.missing?.join(', ') ?? '')}</span>
             </li>
           );
         })}
@@ -38,7 +39,7 @@ export function Commands() {
       {shown?.of === v.text && (
         <>
           <h3>prs {shown.command}</h3>
-          {shown.messages?.length > 0 && <ul class="warnings">{shown.messages.map((line) => <li>{line}</li>)}</ul>}
+          {shown.messages?.length > 0 && <ul class="warnings">{shown.messages.map((line) => <li>{prose(line)}</li>)}</ul>}
           {text && (
             <>
               <p><button type="button" onClick={() => saveFile(`${v.name}.${shown.command}.json`, 'application/json', `${text}\n`)}>{t('download')}</button></p>
@@ -83,7 +84,7 @@ export function Size() {
         {running && <span role="status">{t('computing')} <button type="button" onClick={() => { stop(); setRunning(false); }}>{t('stop')}</button></span>}</p>
       {answer && answer.text === v.text && (
         <>
-          {answer.messages?.length > 0 && <ul class="warnings">{answer.messages.map((line) => <li>{line}</li>)}</ul>}
+          {answer.messages?.length > 0 && <ul class="warnings">{answer.messages.map((line) => <li>{prose(line)}</li>)}</ul>}
           {answer.size && (
             <p class="buttons">
               {answer.size.candidates?.slice(0, 5).map((c) => <button type="button" onClick={() => take(c.rank)}>{t('takeCandidate', c.rank)}: {c.name}</button>)}

@@ -5,7 +5,7 @@ import { headlinesOf, stateOfLoads } from './headlines.js';
 import { LoadCaseChoice } from './results.jsx';
 import { refreshAll, state } from './store.js';
 import { t } from './texts.js';
-import { number, quantity, shownIn } from './units.js';
+import { number, prose, shownIn } from './units.js';
 
 const capital = (text) => text.replace(/^./, (c) => c.toUpperCase());
 
@@ -53,7 +53,7 @@ function Differences() {
     <div class="wide" tabindex={0} role="group" aria-label={t('differentInputs')}>
       <table>
         <thead><tr><th scope="col">{t('input')}</th>{state.variants.map((v) => <th scope="col">{v.name}</th>)}</tr></thead>
-        <tbody>{paths.map((path) => <tr key={path}><th scope="row"><code>{path}</code></th>{all.map((of) => <td>{of.get(path) ?? '–'}</td>)}</tr>)}</tbody>
+        <tbody>{paths.map((path) => <tr key={path}><th scope="row"><code>{path}</code></th>{all.map((of) => <td>{prose(of.get(path) ?? '–')}</td>)}</tr>)}</tbody>
       </table>
     </div>
   );

@@ -4,7 +4,7 @@ import { keysAt, lengthAt, valueAt, withBlock, withItem, without } from './case_
 import { choices, help, isWhole, join, meaning, missingKeys, nodeAt, skeleton } from './schema.js';
 import { changed, current, edit, schemaOf, set, state, withUnit } from './store.js';
 import { t } from './texts.js';
-import { inSystem } from './units.js';
+import { inSystem, prose } from './units.js';
 
 const words = (key) => key.replaceAll('_', ' ').replace(/^./, (c) => c.toUpperCase());
 
@@ -26,7 +26,7 @@ const idOf = (path) => `input-${path.replace(/[^\w]/g, '-')}`;
 const isNamed = (messages, path) =>
   messages.some((line) => /error/.test(line) && new RegExp(`(^|[\\s\`])${path.replace(/[.[\]]/g, '\\$&')}([\\s:,\`]|$)`).test(line));
 
-function Field({ input, schema }) {
+function Field({ input, schema, reasonAbove }) {
   const { path, text } = input;
   const node = nodeAt(schema, path);
   const [draft, setDraft] = useState(null);
@@ -73,9 +73,9 @@ function Field({ input, schema }) {
       <button type="button" class="quiet remove" aria-label={t('remove', path)} title={t('remove', path)}
         onClick={() => edit(without(current().text, path))}>×</button>
       {other && <span class="other">= {other}</span>}
-      {input.basis === 'assumed' && <span class="assumed" title={input.reason}>{t('assumed')}: {input.reason}</span>}
-      {wrong && <p class="wrong" id={`${id}-wrong`}>{current().messages.find((line) => isNamed([line], path)).replace(/^.*?error: /, '')}</p>}
-      <p class="help" id={`${id}-help`}><code>{path}</code> {said}</p>
+      {input.basis === 'assumed' && <span class="assumed" title={input.reason}>{t('assumed')}{input.reason === reasonAbove ? `, ${t('asAbove')}` : `: ${prose(input.reason)}`}</span>}
+      {wrong && <p class="wrong" id={`${id}-wrong`}>{prose(current().messages.find((line) => isNamed([line], path)).replace(/^.*?error: /, ''))}</p>}
+      <p class="help" id={`${id}-help`}><code>{path}</code> {prose(said)}</p>
     </div>
   );
 }
@@ -126,7 +126,7 @@ function AddTo({ block, schema, inputs }) {
       <option value="">+ {t('addInput')} …</option>
       {lists(inputs).map((path) => <option value={`+${path}`}>{t('addItem', path)}</option>)}
       {offered.map(([path, node]) => (
-        <option value={path} title={meaning(node)}>{path.slice(block.length).replace(/^\./, '')}: {meaning(node).slice(0, 70)}</option>
+        <option value={path} title={meaning(node)}>{path.slice(block.length).replace(/^\./, '')}: {prose(meaning(node)).slice(0, 70)}</option>
       ))}
     </select>
   );
@@ -160,9 +160,9 @@ export function Form() {
         return (
           <details key={block} class="block-of" open={words_.length ? hits.length > 0 : opened.has(block)} hidden={words_.length > 0 && hits.length === 0}>
             <summary>{words(block)} <small>{inputs.length}</small></summary>
-            <p class="meaning">{meaning(schema.properties[block])}</p>
-            {inputs.map((input) => (
-              <div key={input.path} hidden={words_.length > 0 && !isWanted(input)}><Field input={input} schema={schema} /></div>
+            <p class="meaning">{prose(meaning(schema.properties[block]))}</p>
+            {inputs.map((input, k) => (
+              <div key={input.path} hidden={words_.length > 0 && !isWanted(input)}><Field input={input} schema={schema} reasonAbove={inputs.slice(0, k).findLast(({ reason }) => reason)?.reason} /></div>
             ))}
             <AddTo block={block} schema={schema} inputs={inputs} />
           </details>
@@ -175,7 +175,7 @@ export function Form() {
           if (key) edit(withBlock(current().text, key, schema.properties[key]));
         }}>
           <option value="">+ {t('addBlock')} …</option>
-          {missing.map((key) => <option value={key}>{words(key)}: {meaning(schema.properties[key]).slice(0, 70)}</option>)}
+          {missing.map((key) => <option value={key}>{words(key)}: {prose(meaning(schema.properties[key])).slice(0, 70)}</option>)}
         </select>
       </p>
     </div>

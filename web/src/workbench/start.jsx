@@ -3,6 +3,7 @@ import { useState } from 'preact/hooks';
 import { readFiles } from './files.js';
 import { ask, changed, current, kept, lessons, open, page, refresh, restore, state } from './store.js';
 import { t } from './texts.js';
+import { prose } from './units.js';
 
 export const lesson = (l) => open(l.text, `${l.name}.yaml`);
 
@@ -47,7 +48,7 @@ function ByCatalogue({ done }) {
       ))}
       <div class="field"><label for="new-lubricant">{t('lubricant')}<small> {t('optional')}</small></label>
         <select id="new-lubricant" name="lubricant"><option value="">–</option>{page.lubricants.map((l) => <option>{l.name}</option>)}</select></div>
-      {trouble && <p class="wrong" id="new-trouble" role="alert">{trouble}</p>}
+      {trouble && <p class="wrong" id="new-trouble" role="alert">{prose(trouble)}</p>}
       <p><button class="primary">{t('create')}</button></p>
     </form>
   );

@@ -9,7 +9,7 @@ import { saveFile } from './files.js';
 import { headlinesOf, responseInfo } from './headlines.js';
 import { current, questionOf, state } from './store.js';
 import { t } from './texts.js';
-import { number, shownIn } from './units.js';
+import { number, prose, shownIn } from './units.js';
 
 /** Those of the case at hand. */
 export function studiesOf(v = current()) {
@@ -71,7 +71,15 @@ function Range({ id, label, inputs, range, take }) {
   );
 }
 
-const axis = (path, unit) => (unit ? `${path} (${unit})` : path);
+const axis = (words, unit) => (unit ? `${words} (${unit})` : words);
+
+/** An input in words: `mechanism.pitch_diameter.screw` -> `Pitch diameter, screw`, `load_cases[0].axial_force` -> `Axial force, load case 1`. */
+function titleOf(path) {
+  const [, block, place, rest] = /^([^.[]*)((?:\[\d+\])?)\.?(.*)$/.exec(path);
+  const item = place ? `${block.replace(/s$/, '')} ${Number(place.slice(1, -1)) + 1}` : '';
+  const steps = (rest || block).split('.').map((step) => step.replace(/\[(\d+)\]/g, (_, k) => ` ${Number(k) + 1}`));
+  return capital([...steps, item].filter(Boolean).join(', ').replaceAll('_', ' '));
+}
 
 /** How a response is shown: {convert, unit, label}. */
 function shown(path, values) {
@@ -94,10 +102,10 @@ function OneResult({ asked, found }) {
   const refused = found.reasons.find(Boolean);
   return (
     <>
-      <Chart title={how.label} x={axis(asked.one.path, found.unit)} y={how.label} series={[{ name: current().name, points }]} />
+      <Chart title={how.label} x={axis(titleOf(asked.one.path), found.unit)} y={how.label} series={[{ name: current().name, points }]} />
       {refused && <p class="default">{refused}</p>}
       <div class="wide" tabindex={0} role="group" aria-label={t('document')}>
-        <table class="quantities"><thead><tr><th scope="col">{axis(asked.one.path, found.unit)}</th><th scope="col">{how.label}</th></tr></thead>
+        <table class="quantities"><thead><tr><th scope="col">{axis(titleOf(asked.one.path), found.unit)}</th><th scope="col">{how.label}</th></tr></thead>
           <tbody>{found.values.map((x, k) => <tr><th scope="row">{number(x, '', 5)}</th><td>{found.responses[k] === null ? '–' : number(how.convert(found.responses[k]), how.unit)}</td></tr>)}</tbody></table>
       </div>
     </>
@@ -109,14 +117,14 @@ function TwoResult({ asked, found }) {
   const how = shown(asked.response, all);
   const picture = heatMap({
     rows: found.rows, columns: found.columns, responses: found.responses.map((row) => row.map((x) => (x === null ? null : how.convert(x)))), title: how.label,
-    x: { title: asked.two.path, unit: found.units[1] }, y: { title: asked.one.path, unit: found.units[0] }, z: { title: '', unit: how.unit },
+    x: { title: titleOf(asked.two.path), unit: found.units[1] }, y: { title: titleOf(asked.one.path), unit: found.units[0] }, z: { title: '', unit: how.unit },
   });
   return (
     <>
       <Picture title={how.label} svg={picture} />
       <div class="wide" tabindex={0} role="group" aria-label={how.label}>
         <table class="quantities map">
-          <thead><tr><th scope="col">{axis(asked.one.path, found.units[0])} ↓ {axis(asked.two.path, found.units[1])} →</th>{found.columns.map((x) => <th scope="col">{number(x, '', 5)}</th>)}</tr></thead>
+          <thead><tr><th scope="col">{axis(titleOf(asked.one.path), found.units[0])} ↓ {axis(titleOf(asked.two.path), found.units[1])} →</th>{found.columns.map((x) => <th scope="col">{number(x, '', 5)}</th>)}</tr></thead>
           <tbody>{found.rows.map((row, k) => (
             <tr><th scope="row">{number(row, '', 5)}</th>
               {found.responses[k].map((x) => <td>{x === null ? '–' : number(how.convert(x), how.unit)}</td>)}</tr>
@@ -131,7 +139,7 @@ function Tornado({ asked, found }) {
   const values = found.bars.flatMap((bar) => bar.responses).filter((x) => x !== null).concat(found.base);
   const how = shown(asked.response, values);
   const picture = tornadoChart({
-    bars: found.bars.map((bar) => ({ ...bar, responses: bar.responses.map((x) => (x === null ? null : how.convert(x))) })),
+    bars: found.bars.map((bar) => ({ ...bar, path: titleOf(bar.path), responses: bar.responses.map((x) => (x === null ? null : how.convert(x))) })),
     base: how.convert(found.base), title: how.label, ends: [t('low'), t('high')], y: { title: how.label.replace(/ \([^)]*\)$/, ''), unit: how.unit },
   });
   return (
@@ -140,7 +148,7 @@ function Tornado({ asked, found }) {
       <div class="wide" tabindex={0} role="group" aria-label={t('tornado')}>
         <table class="quantities"><thead><tr><th scope="col">{t('input')}</th><th scope="col">{t('within')}</th><th scope="col">{t('low')}</th><th scope="col">{t('high')}</th></tr></thead>
           <tbody>{found.bars.map(({ path, within, responses }) => (
-            <tr><th scope="row"><code>{path}</code></th><td>{within}</td>{responses.map((x) => <td>{x === null ? '–' : number(how.convert(x), how.unit)}</td>)}</tr>
+            <tr><th scope="row">{titleOf(path)}</th><td>{within}</td>{responses.map((x) => <td>{x === null ? '–' : number(how.convert(x), how.unit)}</td>)}</tr>
           ))}</tbody></table>
       </div>
     </>
@@ -161,7 +169,7 @@ export function Studies() {
   const [one, setOne] = useState(() => begin(/axial_force$/));
   const [two, setTwo] = useState(() => ({ ...begin(/rollers$/), steps: 5 }));
   const [tolerances, setTolerances] = useState(() =>
-    inputs.filter(({ path }) => /pitch_diameter|outer_diameter$|bore$|youngs_modulus|viscosity$/.test(path)).slice(0, 6).map(({ path }) => ({ path, within: '1 %' })));
+    inputs.filter(({ path, text }) => /pitch_diameter|outer_diameter$|bore$|youngs_modulus|viscosity$/.test(path) && Number.parseFloat(text) !== 0).slice(0, 6).map(({ path }) => ({ path, within: '1 %' })));
   const [response, setResponse] = useState(null);
   const [progress, setProgress] = useState(null);
   const [result, setResult] = useState(null);
@@ -209,7 +217,7 @@ export function Studies() {
       {kind === 'tornado' && (
         <>
           {tolerances.map(({ path, within }, k) => (
-            <p class="field" key={path}><label for={`within-${k}`}><code>{path}</code></label>
+            <p class="field" key={path}><label for={`within-${k}`}>{titleOf(path)}</label>
               <input id={`within-${k}`} type="text" value={within} aria-label={`${t('within')}, ${path}`}
                 onChange={(event) => setTolerances(tolerances.map((each, j) => (j === k ? { path, within: event.currentTarget.value } : each)))} />
               <button type="button" class="quiet remove" aria-label={t('remove', path)} onClick={() => setTolerances(tolerances.filter((_, j) => j !== k))}>×</button></p>
@@ -227,7 +235,7 @@ export function Studies() {
           <progress max={progress[1] || 1} value={progress[0]} aria-label={t('studies')} /> <span role="status">{t('progress', ...progress)}</span></>}
         {result && <button type="button" onClick={() => saveFile(`${v.name}.study.json`, 'application/json', `${JSON.stringify(result, null, 2)}\n`)}>{t('download')}</button>}
       </p>
-      {trouble && <p class="trouble" role="alert">{trouble}</p>}
+      {trouble && <p class="trouble" role="alert">{prose(trouble)}</p>}
       {Result && <Result asked={result.asked} found={result.found} />}
     </section>
   );

@@ -64,6 +64,7 @@ const table = {
   choose: 'choose …',
   find: 'Find an input',
   assumed: 'assumed',
+  asAbove: 'as above',
   wrong: 'These values cannot be computed; the numbers are those before them.',
   startTitle: 'Start with …',
   byCatalogue: 'catalogue data',

@@ -11,7 +11,7 @@ const digitsIn = (unit) =>
 
 /** In what a number of a document is shown: {unit, convert}. */
 export function shownIn(path, unit, system, largest = Infinity) {
-  if (!unit && /efficiency/.test(path)) return { unit: '%', convert: (x) => 100 * x };
+  if (!unit && /efficiency|critical_speed_share/.test(path)) return { unit: '%', convert: (x) => 100 * x };
   if (unit === 'degC' || unit === '°C')
     return system === 'us'
       ? { unit: '°F', convert: (x) => 1.8 * x + 32 }
@@ -22,9 +22,9 @@ export function shownIn(path, unit, system, largest = Infinity) {
   return { unit, convert: (x) => x };
 }
 
-/** A sentence of the engine with the signs of print: `2 µm`, `80 °C`, `kg/m³`, and without backquotes. */
+/** A sentence of the engine with the signs of print: `2 µm`, `80 °C`, `kg/m³`, `C₀`, and without backquotes. */
 export const prose = (text) =>
-  text.replace(/\bum\b/g, 'µm').replace(/\bdeg([CF])\b/g, '°$1').replace(/([a-z)])\^([23])(?![\d.])/gi, (_, unit, n) => unit + '⁰¹²³'[n]).replaceAll('`', '');
+  text.replace(/\bum\b/g, 'µm').replace(/\bdeg([CF])\b/g, '°$1').replace(/([a-z)])\^([23])(?![\d.])/gi, (_, unit, n) => unit + '⁰¹²³'[n]).replace(/(\d) deg\b/g, '$1°').replace(/\b([A-Z])_([a0])\b/g, (_, letter, index) => letter + { a: 'ₐ', 0: '₀' }[index]).replaceAll('`', '');
 
 const superscript = (n) => [...String(n)].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('');
 
