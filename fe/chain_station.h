@@ -116,16 +116,22 @@ struct ChainStations {
   ChainRecord<Real, Station>* records;
 };
 
+/// Adds a value to a sum, or subtracts it.
+template <bool kNegative, class Real, class Value>
+PRS_INLINED inline void add_signed(Real& sum, const Value& value) {
+  if constexpr (kNegative)
+    sum -= value;
+  else
+    sum += value;
+}
+
 /// Approach b'd of contact C with the form b.
 template <int C, class Station, class Real>
 PRS_INLINED inline Real along(const Station& station, const Real* d) {
   static constexpr auto form = Station::template form<C>();
   Real sum(0.0);
   unroll<static_cast<int>(form.size())>([&](auto i) PRS_INLINED {
-    if constexpr (form[i].negative)
-      sum -= station.coefficient(C, form[i].kind) * d[form[i].freedom];
-    else
-      sum += station.coefficient(C, form[i].kind) * d[form[i].freedom];
+    add_signed<form[i].negative>(sum, station.coefficient(C, form[i].kind) * d[form[i].freedom]);
   });
   return sum;
 }
@@ -135,10 +141,7 @@ template <int C, class Station, class Real>
 PRS_INLINED inline void add_along(const Station& station, Real* right, const Real& force) {
   static constexpr auto form = Station::template form<C>();
   unroll<static_cast<int>(form.size())>([&](auto i) PRS_INLINED {
-    if constexpr (form[i].negative)
-      right[form[i].freedom] -= station.coefficient(C, form[i].kind) * force;
-    else
-      right[form[i].freedom] += station.coefficient(C, form[i].kind) * force;
+    add_signed<form[i].negative>(right[form[i].freedom], station.coefficient(C, form[i].kind) * force);
   });
 }
 
@@ -149,13 +152,9 @@ PRS_INLINED inline void add_tangent(const Station& station, Real (&a)[N][N], con
   unroll<static_cast<int>(form.size())>([&](auto i) PRS_INLINED {
     const Real row = t * station.coefficient(C, form[i].kind);
     unroll<static_cast<int>(form.size())>([&](auto j) PRS_INLINED {
-      if constexpr (form[i].freedom <= form[j].freedom) {
-        Real& entry = a[form[i].freedom][form[j].freedom];
-        if constexpr (form[i].negative != form[j].negative)
-          entry -= row * station.coefficient(C, form[j].kind);
-        else
-          entry += row * station.coefficient(C, form[j].kind);
-      }
+      if constexpr (form[i].freedom <= form[j].freedom)
+        add_signed<form[i].negative != form[j].negative>(a[form[i].freedom][form[j].freedom],
+                                                         row * station.coefficient(C, form[j].kind));
     });
   });
 }

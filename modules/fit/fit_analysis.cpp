@@ -551,7 +551,7 @@ Figures curve_figures(const FitResult& r) {
     panel.y = fitted({capitalised(title.name), c.curve().unit}, range_of_y(panel.series));
     figure.panels.push_back(std::move(panel));
   }
-  figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
+  figure.columns = std::clamp<std::size_t>(figure.panels.size(), 1, 2);
   return {std::move(figure)};
 }
 
@@ -570,7 +570,7 @@ Figures residual_figures(const FitResult& r) {
     panel.y = fitted({"Measured less fitted", c.curve().unit}, range_of_y(panel.series));
     figure.panels.push_back(std::move(panel));
   }
-  figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
+  figure.columns = std::clamp<std::size_t>(figure.panels.size(), 1, 2);
   return {std::move(figure)};
 }
 

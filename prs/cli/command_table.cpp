@@ -184,9 +184,8 @@ void add_export_options(CLI::App& command, Options& options) {
   add_flag(command, "--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu");
   add_flag(command, "--static", o.is_static, "Write the unit without the drive, also where the case has `response`");
   add_flag(command, "--modelica", o.modelica, "Write a Modelica package, CASE.mo");
-  add_flag(
-      command, "--mjcf", o.mjcf,
-      "Write the drive for MuJoCo, CASE.mjcf.xml; a lever is the mass that its inertia is at the nut at mid-angle");
+  add_flag(command, "--mjcf", o.mjcf,
+           "Write the drive for MuJoCo, CASE.mjcf.xml; a lever becomes its mass at the nut at mid-angle");
   add_flag(command, "--urdf", o.urdf, "Write the drive for ROS and other robot simulators, CASE.urdf");
   add_value(command, "--friction-load", o.friction_load, "FORCE",
             "Load whose friction robot simulators take; default: the root mean square force of the run of `response`");

@@ -149,13 +149,16 @@ const auto kComputedThere = []<std::size_t... kModels>(std::index_sequence<kMode
 }
 (std::make_index_sequence<std::size(kBodyModels)>());
 
+template <auto member>
+constexpr auto of_reference = of<[](auto& r) { return r.reference().*member; }>;
+
 constexpr Quantity<ComparedReference> kReference[] = {
-    {"name", of<[](auto& r) { return r.reference().name; }>, "of the reference; by default that of its file"},
-    {"file", of<[](auto& r) { return r.reference().file; }>, "as the case names it"},
+    {"name", of_reference<&ReferenceCurve::name>, "of the reference; by default that of its file"},
+    {"file", of_reference<&ReferenceCurve::file>, "as the case names it"},
     {"load_case", of<[](auto& r) { return unless_empty(r.reference().load_case); }>,
      "that it belongs to; absent of the whole case"},
-    {"response", of<[](auto& r) { return r.reference().response; }>, "path in the load case or the whole case"},
-    {"unit", of<[](auto& r) { return r.reference().unit; }>, "of the response and of all deviations; empty of ratios"},
+    {"response", of_reference<&ReferenceCurve::response>, "path in the load case or the whole case"},
+    {"unit", of_reference<&ReferenceCurve::unit>, "of the response and of all deviations; empty of ratios"},
     {"along", of<[](auto& r) { return unless_empty(r.reference().along); }>,
      "`thread`, or the input that readings set; absent of a single number"},
     {"along_unit", of<[](auto& r) { return unless_empty(r.reference().along_unit); }>, "of the places"},

@@ -493,19 +493,20 @@ FMI2(fmi2Status, fmi2DoStep)
   return fmi2OK;
 }
 FMI2(fmi2Status, fmi2CancelStep)(fmi2Component c) { return fail((Unit*)c, "no step is under way"); }
-FMI2(fmi2Status, fmi2GetStatus)(fmi2Component c, const fmi2StatusKind kind, fmi2Status* value) {
-  (void)c, (void)kind, (void)value;
-  return fmi2Discard;
-}
+
+/* There are no steps under way, whose status these would be. */
+#define NO_STATUS(name, type)                                                       \
+  FMI2(fmi2Status, name)(fmi2Component c, const fmi2StatusKind kind, type* value) { \
+    (void)c, (void)kind, (void)value;                                               \
+    return fmi2Discard;                                                             \
+  }
+NO_STATUS(fmi2GetStatus, fmi2Status)
+NO_STATUS(fmi2GetIntegerStatus, fmi2Integer)
+NO_STATUS(fmi2GetStringStatus, fmi2String)
 FMI2(fmi2Status, fmi2GetRealStatus)(fmi2Component c, const fmi2StatusKind kind, fmi2Real* value) {
   if (kind != fmi2LastSuccessfulTime) return fmi2Discard;
   *value = ((Unit*)c)->time;
   return fmi2OK;
-}
-FMI2(fmi2Status, fmi2GetIntegerStatus)
-(fmi2Component c, const fmi2StatusKind kind, fmi2Integer* value) {
-  (void)c, (void)kind, (void)value;
-  return fmi2Discard;
 }
 FMI2(fmi2Status, fmi2GetBooleanStatus)
 (fmi2Component c, const fmi2StatusKind kind, fmi2Boolean* value) {
@@ -513,9 +514,4 @@ FMI2(fmi2Status, fmi2GetBooleanStatus)
   (void)c;
   *value = 0;
   return fmi2OK;
-}
-FMI2(fmi2Status, fmi2GetStringStatus)
-(fmi2Component c, const fmi2StatusKind kind, fmi2String* value) {
-  (void)c, (void)kind, (void)value;
-  return fmi2Discard;
 }

@@ -167,7 +167,7 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name, 
 
 namespace {
 
-/// Path in messages; a name in angle brackets stands for data that no file has, as those of Python's arguments.
+/// Path in messages. A name in angle brackets is that of data without a file, such as an argument of Python.
 std::filesystem::path shown_path(const std::string& file, const Source& source) {
   if (file.starts_with('<')) return file;
   return std::filesystem::path(source.name).parent_path() / file;

@@ -286,19 +286,17 @@ std::string text_of(const ListValue& list) {
 
 std::string text_of(const OneOr& value) { return input::text_of(value.are_several ? value.several() : value.one()); }
 
-/// Writes a number with an exponent in place of more than six zeros at its end, and the exponent without `+` and
-/// leading zeros: `1e12 MPa`, `1e-6 N/mm`.
-std::string without_zeros(std::string text) {
-  const std::size_t end = std::min(text.find(' '), text.size()), zeros = end - 1 - text.find_last_not_of('0', end - 1);
-  if (zeros > 6) text.replace(end - zeros, zeros, fmt::format("e{}", zeros));
-  return std::regex_replace(text, std::regex("e(\\+|(-))0*"), "e$2");
+/// Text of a bound: `1e12` and `1e-6`, not 1000000000000 and 1e-06.
+std::string text_of_bound(double value, const Number&) {
+  return std::regex_replace(fmt::format("{:.{}g}", value, std::abs(value) < 1e7 ? 15 : 9), std::regex("e\\+?(-?)0*"),
+                            "e$1");
 }
-
-/// Text of a bound; 0 has no unit if it is the same in each.
+/// Text of a bound with its unit; 0 has none if it is the same in each.
 std::string text_of_bound(double value, const Quantity& q) {
-  return value == 0.0 && !zero_depends_on_unit(q.dimension) ? "0" : without_zeros(text_of(value, q));
+  if (value == 0.0 && !zero_depends_on_unit(q.dimension)) return "0";
+  const std::string_view unit = q.dimension.canonical;
+  return fmt::format("{} {}", text_of_bound(*number_in(text_of(value, q), unit), Number{}), unit);
 }
-std::string text_of_bound(double value, const Number&) { return without_zeros(fmt::format("{}", value)); }
 
 template <class Kind>
 std::string bounds_text(const Bounds& b, const Kind& kind) {

@@ -163,12 +163,13 @@ void check_response(const Case& c, Problems& problems) {
     problems.add("response.end_stops",
                  "got the upper one at {}, the lower one at {}; expected upper above lower; swap them", mm(upper->at),
                  mm(lower->at));
-  const bool is_above = upper && r.start.position > upper->at;
-  if (is_above || (lower && r.start.position < lower->at))
-    problems.add("response.start.position",
-                 "got {}; expected at {}, where the {} end stop is; start between the stops, or move them",
-                 mm(r.start.position), is_above ? "most " + mm(upper->at) : "least " + mm(lower->at),
-                 is_above ? "upper" : "lower");
+  const double nearest =
+      std::min(std::max(r.start.position, lower ? lower->at : -HUGE_VAL), upper ? upper->at : HUGE_VAL);
+  if (nearest != r.start.position)
+    problems.add(
+        "response.start.position",
+        "got {}, beyond an end stop; expected a start between the stops, the nearest is {}; move start or stop",
+        mm(r.start.position), mm(nearest));
   if (r.shaft && r.shaft->span && !(r.shaft->length < *r.shaft->span))
     problems.add("response.shaft.length", "got {}; expected less than the span, {}; check both", mm(r.shaft->length),
                  mm(*r.shaft->span));

@@ -17,7 +17,7 @@ class CsvRows {
 
   template <class T>
   void operator()(std::string_view name, const T& value) {
-    this->name(name);
+    names_.emplace_back(name);
     rows_.field(value, unit_of(name).factor);
   }
 
@@ -65,13 +65,10 @@ class CsvRows {
   std::string take() { return head_.take() + rows_.take(); }
 
  private:
-  void name(std::string_view field);
   void name(std::string_view prefix, std::string_view key);
 
   CsvWriter head_, rows_;
-  std::vector<std::string> names_;
-  std::size_t column_ = 0;
-  bool is_first_ = true;
+  std::vector<std::string> names_, first_names_;  ///< Names of the fields of this row and of the first one.
 };
 
 }  // namespace prs

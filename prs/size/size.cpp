@@ -71,21 +71,20 @@ void mark_pareto(std::vector<SizedCandidate>& all) {
 }
 
 /// Whether a value makes sense as the limit of its criterion: no safety below 1, no speed beyond the critical one, no
-/// temperature at which the input warns of oils.
-bool may_be_limit(const SizeCriterion& c, const Requirement& r) {
-  constexpr double kHottestOil = 570.0;  // See `lubricant.temperature` in prs/input/echo.cpp [K].
+/// temperature at which the input warns of oils, `lubricant.temperature` in prs/input/echo.cpp.
+bool may_be_limit(const SizeCriterion& c) {
+  constexpr double kHottestOil = 570.0 - kZeroCelsius;  // [degC]
   const double value = *c.value;
-  if (c.name == "temperature") return value <= kHottestOil - kZeroCelsius;
+  if (c.name == "temperature") return value <= kHottestOil;
   if (c.name == "critical_speed") return value <= 1.0;
-  if (c.name == "brake") return value * r.brake_safety >= 1.0;
-  return c.name == "buckling" || c.name.ends_with("safety") ? value >= 1.0 : value > 0.0;
+  return value > 0.0 && (value >= 1.0 || !(c.name == "buckling" || c.name.ends_with("safety")));
 }
 
-std::optional<Relaxation> relaxation(const std::vector<SizedCandidate>& all, const Requirement& r) {
+std::optional<Relaxation> relaxation(const std::vector<SizedCandidate>& all) {
   for (const SizedCandidate& c : all)
     if (c.missed().size() == 1)
       for (const SizeCriterion& missed : c.criteria)
-        if (!missed.holds() && missed.margin && may_be_limit(missed, r))
+        if (!missed.holds() && missed.margin && may_be_limit(missed))
           return Relaxation{missed.name, c.rank, *missed.limit, *missed.value, *missed.margin};
   return std::nullopt;
 }
@@ -171,7 +170,7 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
   int rank = 0;
   for (SizedCandidate& c : result.candidates) c.rank = ++rank;
   mark_pareto(result.candidates);
-  if (result.passing() == 0) result.relax = relaxation(result.candidates, result.input.values);
+  if (result.passing() == 0) result.relax = relaxation(result.candidates);
   for (SizedCandidate& c : result.candidates)
     if (c.mission && c.rank != static_cast<int>(std::max<std::size_t>(options.curve_of, 1)))
       c.mission->time.clear(), c.mission->temperature = {};

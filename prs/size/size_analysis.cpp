@@ -23,9 +23,7 @@ constexpr Quantity<MotionSegment> kMotionSegment[] = {
      "THK general catalogue, axial loads"},
 };
 
-Record<MotionSegment> record_of(Type<MotionSegment>) {
-  return {"MotionSegment", "Constant acceleration under one force.", kMotionSegment};
-}
+PRS_RECORD(MotionSegment, "MotionSegment", "Constant acceleration under one force.", kMotionSegment);
 
 /// The lever of a requirement.
 static std::optional<LeverMotion> lever_of(const SizeInput& in) {
@@ -48,9 +46,7 @@ constexpr Quantity<RequirementOf> kRequirement[] = {
     {"lever", of<[](const RequirementOf& r) { return lever_of(r.whole->input); }>, "whose angle and torque are given"},
 };
 
-Record<RequirementOf> record_of(Type<RequirementOf>) {
-  return {"SizeRequirement", "One cycle of the axis.", kRequirement};
-}
+PRS_RECORD(RequirementOf, "SizeRequirement", "One cycle of the axis.", kRequirement);
 
 struct SizeCounts {
   std::size_t passing, failing, invalid;
@@ -64,7 +60,7 @@ constexpr Quantity<SizeCounts> kCounts[] = {
     {"invalid", always<&SizeCounts::invalid>, "refused by the rules of `prs new`"},
 };
 
-Record<SizeCounts> record_of(Type<SizeCounts>) { return {"SizeCounts", "How many candidates there are.", kCounts}; }
+PRS_RECORD(SizeCounts, "SizeCounts", "How many candidates there are.", kCounts);
 
 /// Source of a candidate.
 static std::string_view source_name(const CandidateData& c) { return c.is_row ? "catalogue" : "design"; }
@@ -82,9 +78,7 @@ constexpr Quantity<InvalidCandidate> kInvalid[] = {
     {"reason", always<&InvalidCandidate::reason>, "what is wrong"},
 };
 
-Record<InvalidCandidate> record_of(Type<InvalidCandidate>) {
-  return {"InvalidCandidate", "What cannot be made.", kInvalid};
-}
+PRS_RECORD(InvalidCandidate, "InvalidCandidate", "What cannot be made.", kInvalid);
 
 constexpr Quantity<Heat::Conductance> kConductance[] = {
     {"screw_ambient", of<&Heat::Conductance::screw_ambient>, "screw to surroundings"},
@@ -94,9 +88,7 @@ constexpr Quantity<Heat::Conductance> kConductance[] = {
     {"rollers_nut", of<&Heat::Conductance::rollers_nut>, "all rollers to nut"},
 };
 
-Record<Heat::Conductance> record_of(Type<Heat::Conductance>) {
-  return {"ThermalConductances", "Of the network of the parts.", kConductance};
-}
+PRS_RECORD(Heat::Conductance, "ThermalConductances", "Of the network of the parts.", kConductance);
 
 template <auto member>
 constexpr auto of_electric = of<[](const SizedCandidate& c) {
@@ -115,9 +107,7 @@ constexpr Quantity<SizedCandidate::ByThreads> kByThreads[] = {
     {"dynamic_capacity_N", of<&SizedCandidate::ByThreads::capacity>, "Lemor's C_a"},
 };
 
-Record<SizedCandidate::ByThreads> record_of(Type<SizedCandidate::ByThreads>) {
-  return {"SizedByThreads", "Life and safety by the loads of the threads.", kByThreads};
-}
+PRS_RECORD(SizedCandidate::ByThreads, "SizedByThreads", "Life and safety by the loads of the threads.", kByThreads);
 
 constexpr Quantity<SizedSegment> kSegment[] = {
     {"name", always<[](const SizedSegment& s) { return std::string(s.name); }>, "of the motion"},
@@ -128,9 +118,7 @@ constexpr Quantity<SizedSegment> kSegment[] = {
     {"motor_torque_Nm", of<&SizedSegment::motor_torque>, "with drag, inertia and gear"},
 };
 
-Record<SizedSegment> record_of(Type<SizedSegment>) {
-  return {"SizedSegment", "A segment of the motion on a candidate.", kSegment};
-}
+PRS_RECORD(SizedSegment, "SizedSegment", "A segment of the motion on a candidate.", kSegment);
 
 constexpr Quantity<SizeCriterion> kCriterion[] = {
     {"name", always<&SizeCriterion::name>, "what is held against a limit"},
@@ -142,9 +130,7 @@ constexpr Quantity<SizeCriterion> kCriterion[] = {
     {"reason", filled<&SizeCriterion::reason>, "what the value rests on, or why there is none"},
 };
 
-Record<SizeCriterion> record_of(Type<SizeCriterion>) {
-  return {"SizeCriterion", "A value against its limit.", kCriterion};
-}
+PRS_RECORD(SizeCriterion, "SizeCriterion", "A value against its limit.", kCriterion);
 
 constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"rank", always<&SizedCandidate::rank>, "from 1, over all"},
@@ -244,9 +230,7 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"warnings", always<[](auto& c) { return sentences(c.warnings); }>, "on this candidate"},
 };
 
-Record<SizedCandidate> record_of(Type<SizedCandidate>) {
-  return {"SizedCandidate", "A screw against the requirement.", kCandidate};
-}
+PRS_RECORD(SizedCandidate, "SizedCandidate", "A screw against the requirement.", kCandidate);
 
 struct NearestMiss {
   int rank = 1;
@@ -258,9 +242,7 @@ constexpr Quantity<NearestMiss> kNearest[] = {
     {"criteria", always<&NearestMiss::criteria>, "that it misses"},
 };
 
-Record<NearestMiss> record_of(Type<NearestMiss>) {
-  return {"NearestMiss", "The first candidate where nothing passes.", kNearest};
-}
+PRS_RECORD(NearestMiss, "NearestMiss", "The first candidate where nothing passes.", kNearest);
 
 constexpr Quantity<Relaxation> kRelaxation[] = {
     {"criterion", always<&Relaxation::criterion>, "that is missed"},
@@ -270,7 +252,7 @@ constexpr Quantity<Relaxation> kRelaxation[] = {
     {"margin", of<&Relaxation::margin>, "as it is"},
 };
 
-Record<Relaxation> record_of(Type<Relaxation>) { return {"Relaxation", "What a limit would have to be.", kRelaxation}; }
+PRS_RECORD(Relaxation, "Relaxation", "What a limit would have to be.", kRelaxation);
 
 constexpr Quantity<SizeCurve::Required> kRequired[] = {
     {"name", always<&SizeCurve::Required::segment>, "of the motion"},
@@ -279,9 +261,7 @@ constexpr Quantity<SizeCurve::Required> kRequired[] = {
     {"driven_by", of<&SizeCurve::Required::driven_by>, "screw | load; absent at rest"},
 };
 
-Record<SizeCurve::Required> record_of(Type<SizeCurve::Required>) {
-  return {"RequiredForce", "A force that the motion requires at its speed.", kRequired};
-}
+PRS_RECORD(SizeCurve::Required, "RequiredForce", "A force that the motion requires at its speed.", kRequired);
 
 constexpr Quantity<SizeCurve> kCurve[] = {
     {"rank", always<&SizeCurve::rank>, "of the candidate"},
@@ -293,7 +273,7 @@ constexpr Quantity<SizeCurve> kCurve[] = {
     {"required", always<&SizeCurve::required>, "segments of the motion under force"},
 };
 
-Record<SizeCurve> record_of(Type<SizeCurve>) { return {"SizeCurve", "Force over speed.", kCurve}; }
+PRS_RECORD(SizeCurve, "SizeCurve", "Force over speed.", kCurve);
 
 constexpr Quantity<SizeResult> kResult[] = {
     {"requirement", always<[](const SizeResult& r) {
@@ -318,7 +298,7 @@ constexpr Quantity<SizeResult> kResult[] = {
     {"candidates", always<&SizeResult::candidates>, "by rank"},
 };
 
-Record<SizeResult> record_of(Type<SizeResult>) { return {"Size", "Candidates against a requirement.", kResult}; }
+PRS_RECORD(SizeResult, "Size", "Candidates against a requirement.", kResult);
 
 namespace {
 

@@ -55,7 +55,7 @@ struct BarStation {
     add(fe::Index<S>{}, fe::Index<kFreedoms + S>{}, -screw);
     add(fe::Index<N>{}, fe::Index<N>{}, nut[k]);
     add(fe::Index<N>{}, fe::Index<kFreedoms + N>{}, -nut[k]);
-    roller.thread.template add_first<U>(add);
+    roller.thread.template add_end<U>(add, 1.0);
     roller.thread.template add_coupling<U, kFreedoms + U>(add);
   }
 
@@ -63,7 +63,7 @@ struct BarStation {
   PRS_INLINED void add_interval_end(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add(fe::Index<N>{}, fe::Index<N>{}, nut[k]);
-    roller.thread.template add_second<U>(add);
+    roller.thread.template add_end<U>(add, -1.0);
   }
 
   using State = fe::ChainState<Real, kFreedoms>;

@@ -68,22 +68,14 @@ template <class Real>
 struct RollerBeam {
   Real axial, near, far, slope;
 
-  /// Stiffness over freedoms U, V = U + 1, T = U + 2 of the first node; `add` as in fe/chain_station.h.
+  /// Stiffness over freedoms U, V = U + 1, T = U + 2 of the first node, `side` 1, or of the second one, -1; `add` as in
+  /// fe/chain_station.h.
   template <int U, class Add>
-  PRS_INLINED void add_first(Add add) const {
+  PRS_INLINED void add_end(Add add, double side) const {
     const Real shear = slope * (near + far);
     add(fe::Index<U>{}, fe::Index<U>{}, axial);
     add(fe::Index<U + 1>{}, fe::Index<U + 1>{}, 2.0 * slope * shear);
-    add(fe::Index<U + 1>{}, fe::Index<U + 2>{}, shear);
-    add(fe::Index<U + 2>{}, fe::Index<U + 2>{}, near);
-  }
-
-  template <int U, class Add>
-  PRS_INLINED void add_second(Add add) const {
-    const Real shear = slope * (near + far);
-    add(fe::Index<U>{}, fe::Index<U>{}, axial);
-    add(fe::Index<U + 1>{}, fe::Index<U + 1>{}, 2.0 * slope * shear);
-    add(fe::Index<U + 1>{}, fe::Index<U + 2>{}, -shear);
+    add(fe::Index<U + 1>{}, fe::Index<U + 2>{}, side * shear);
     add(fe::Index<U + 2>{}, fe::Index<U + 2>{}, near);
   }
 

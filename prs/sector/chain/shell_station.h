@@ -76,9 +76,9 @@ struct ShellStation {
     if constexpr (kApart) {
       hold(fe::Index<kLast + 1>{});
       hold(fe::Index<kLast + 2>{});
-      roller.tooth.template add_first<U>(add);
+      roller.tooth.template add_end<U>(add, 1.0);
       roller.tooth.template add_coupling<U, kLast>(add);
-      roller.tooth.template add_second<kLast>(add);
+      roller.tooth.template add_end<kLast>(add, -1.0);
     }
     if (k == 0) roller.ends[0].template add<U + 1>(add);
     if (k == stations - 1) roller.ends[1].template add<kLast + 1>(add);
@@ -95,7 +95,7 @@ struct ShellStation {
         add(fe::Index<N + i>{}, fe::Index<kFreedoms + N + j>{}, segment.coupling[3 * i + j]);
       });
     });
-    roller.thread.template add_first<kLast>(add);
+    roller.thread.template add_end<kLast>(add, 1.0);
     roller.thread.template add_coupling<kLast, kFreedoms + U>(add);
   }
 
@@ -103,7 +103,7 @@ struct ShellStation {
   PRS_INLINED void add_interval_end(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add_triangle<N>(segments[segment_of[k]].second, add);
-    roller.thread.template add_second<U>(add);
+    roller.thread.template add_end<U>(add, -1.0);
   }
 
   using State = fe::ChainState<Real, kFreedoms>;

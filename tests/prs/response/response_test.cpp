@@ -139,11 +139,13 @@ TEST(Response, EachWrongValueIsRefused) {
       {torque, "response.end_stops={upper: {at: 0 mm, stiffness: 1 N/um}, lower: {at: 1 mm, stiffness: 1 N/um}}",
        "response.end_stops"},
       {torque, "response.end_stops={upper: {at: -1 mm, stiffness: 1 N/um}}",
-       "response.start.position: got 0 mm; expected at most -1 mm, where the upper end stop is"},
+       "response.start.position: got 0 mm, beyond an end stop; expected a start between the stops, the nearest is -1 "
+       "mm"},
       {servo,
        "response={start: {position: -3 mm}, end_stops: {lower: {at: -2 mm, stiffness: 1 N/um}}, duration: 1 s, "
        "motor: {inertia: 1 kg cm^2, torque: 1 N m}, load: {mass: 1 kg}}",
-       "response.start.position: got -3 mm; expected at least -2 mm, where the lower end stop is"},
+       "response.start.position: got -3 mm, beyond an end stop; expected a start between the stops, the nearest is -2 "
+       "mm"},
       {torque, "response.shaft={length: 1 m, ends: fixed_fixed}", "response.shaft.span"},
       {torque, "response.shaft={length: 1 m, span: 2 m}", "response.shaft.span"},
       {torque, "response.material_damping={time: 1 us, loss_factor: 3 %}", "response.material_damping"},
