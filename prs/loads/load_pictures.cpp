@@ -575,14 +575,10 @@ Figure roller_shares(const Result& result, const LoadCaseResult& shown) {
   for (int j = 0; j < count; ++j) {
     const double azimuth = shown.full->carrier_angle + 2.0 * std::numbers::pi * j / count;
     const auto [y, z] = towards(threads.centre_distance, azimuth);
-    const bool is_side = std::abs(std::cos(azimuth)) > 0.5;  // The text begins or ends there, others are centred.
-    const auto [at_y, at_z] = towards((is_side ? 1.06 : 1.16) * nut, azimuth);
-    const Label::Anchor anchor = !is_side     ? Label::Anchor::centre
-                                 : at_y > 0.0 ? Label::Anchor::left
-                                              : Label::Anchor::right;
+    const auto [at_y, at_z] = towards(1.25 * nut, azimuth);
     const bool missing = std::ranges::count(shown.full->missing_rollers, j + 1) > 0;
     const double percent = share[static_cast<std::size_t>(j)] * count * "%"_per_si;
-    panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false, anchor});
+    panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false, Label::Anchor::centre});
     if (missing) continue;
     panel.labels.push_back({fmt::to_string(j + 1), y, z, false, Label::Anchor::centre});
     rollers.parts.push_back(circle(y, z, contact::ThreadSurface(threads.roller).pitch_radius));
@@ -592,7 +588,7 @@ Figure roller_shares(const Result& result, const LoadCaseResult& shown) {
   constexpr double kUsual = 150.0;  // Smallest upper end, so that equal shares do not look like a peak.
   figure.colours =
       ColourScale{"Share of the roller", "% of the mean", std::min(0.0, range.from), std::max(kUsual, range.to)};
-  const double reach = 1.25 * nut;
+  const double reach = 1.42 * nut;
   figure.x = {"y", {}, -reach, reach};
   figure.y = {"z", {}, -reach, reach};
   figure.x.hidden = figure.y.hidden = true;

@@ -277,17 +277,16 @@ Panel course_panel(const LoadHistory& h) {
 
 /// Share of the revolutions over the force.
 Panel travel_panel(const LifeResult& r) {
-  const int bins = r.history ? 40 : 20;
+  constexpr std::size_t kBins = 31;
   Panel panel{"Revolutions under load"};
   Range forces{0.0, 0.0};
   for (const LoadStep& s : r.steps) forces.include(s.axial_force);
-  if (!r.history) forces.widen(0.5 / (bins - 1));  // Bars with their middle at the smallest and the largest load.
-  const double width = (forces.to - forces.from) / bins;
-  std::vector<double> share(static_cast<std::size_t>(bins), 0.0), damage = share;
+  forces.widen(0.5 / (kBins - 1));  // Bars with their middle at the smallest and the largest load.
+  const double width = (forces.to - forces.from) / kBins;
+  std::vector<double> share(kBins), damage(kBins);
   double all_damage = 0.0;
   for (const LoadStep& s : r.steps) {
-    const auto bin =
-        static_cast<std::size_t>(std::clamp(static_cast<int>((s.axial_force - forces.from) / width), 0, bins - 1));
+    const auto bin = std::min(static_cast<std::size_t>((s.axial_force - forces.from) / width), kBins - 1);
     const double done = std::pow(std::abs(s.axial_force), kLifeExponent) * s.revolutions;
     share[bin] += s.revolutions / r.revolutions;
     damage[bin] += done;

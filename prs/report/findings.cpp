@@ -208,9 +208,7 @@ std::string foundations_html(const Findings& all) {
   for (; shown < std::min(lines.size(), kMost) && (letters += lines[shown].size()) < kLetters; ++shown)
     text += fmt::format("<li>{}</li>\n", prose_html(lines[shown]));
   if (shown < lines.size()) text += fmt::format("<li>{} more in the report</li>\n", lines.size() - shown);
-  const auto assumed = std::ranges::count_if(all.checked().fields, [&](const input::EchoEntry& field) {
-    return basis_of(field, all.checked()).first == "assumed";
-  });
+  const std::size_t assumed = assumed_inputs(all);
   if (assumed > 0)
     text += fmt::format("<li>{} inputs are assumed by rule: the report lists each with its reason</li>\n", assumed);
   return assumed == 0 && lines.empty() ? "<p>None.</p>\n" : text + "</ul>\n";
@@ -305,7 +303,13 @@ std::string input_value(const Findings& all, std::string_view path) {
   return found == fields.end() ? std::string() : found->value;
 }
 
-std::string figure_html(Findings& all, Figure figure, bool narrow) {
+std::size_t assumed_inputs(const Findings& all) {
+  return static_cast<std::size_t>(std::ranges::count_if(all.checked().fields, [&](const input::EchoEntry& field) {
+    return basis_of(field, all.checked()).first == "assumed";
+  }));
+}
+
+std::string figure_html(Findings& all, Figure figure) {
   const int place = all.places[figure.name]++;
   const FigurePlace key{all.section, figure.name, place};
   if (all.keeps_figures) all.figures.emplace(key, figure);
@@ -313,9 +317,9 @@ std::string figure_html(Findings& all, Figure figure, bool narrow) {
     if (const auto found = all.before->figures.find(key); found != all.before->figures.end())
       add_behind(figure, found->second);
   return fmt::format(
-      "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
+      "<figure data-figure=\"{}\"><figcaption>{}</figcaption><div class=\"wide\" "
       "tabindex=\"0\">{}</div></figure>\n",
-      html(figure.name), narrow ? " class=\"narrow\"" : "", prose_html(figure.title),
+      html(figure.name), prose_html(figure.title),
       svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
 }
 

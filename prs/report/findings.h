@@ -84,6 +84,9 @@ const Json& under(const Json& json, const std::string& key);
 /// Value of an input as in a file; empty if there is none.
 std::string input_value(const Findings& all, std::string_view path);
 
+/// Number of inputs that comments of the file call assumed.
+std::size_t assumed_inputs(const Findings& all);
+
 /// HTML with the state, headline numbers, and the number of warnings.
 std::string verdict_html(const Findings& all);
 
@@ -99,7 +102,7 @@ std::string warning_list(const Findings& all, bool assumptions);
 std::string head_html(const Findings& all);
 
 /// Figure at the place of a picture, before it is written: with the former one behind it.
-std::string figure_html(Findings& all, Figure figure, bool narrow = false);
+std::string figure_html(Findings& all, Figure figure);
 
 /// A section of the page and the function that writes it.
 struct SectionRow {

@@ -83,14 +83,14 @@ std::string pictures_html(Findings& all, const CommandAnswer* answer, const Choo
 }
 
 /// Figures of one name for each of the first load cases that have it.
-std::string each_case_html(Findings& all, const CommandAnswer& answer, std::string_view name, bool narrow) {
+std::string each_case_html(Findings& all, const CommandAnswer& answer, std::string_view name) {
   constexpr std::size_t kMost = 4;
   const auto picture = std::ranges::find(answer.pictures, name, &Picture::name);
   if (picture == answer.pictures.end()) return {};
   const std::size_t count = under(answer.document, "load_cases").size();
   std::string text;
   for (const auto k : up_to(std::min(kMost, count)))
-    for (const Figure& figure : picture->make({.load_case = k})) text += figure_html(all, figure, narrow);
+    for (const Figure& figure : picture->make({.load_case = k})) text += figure_html(all, figure);
   return text;
 }
 
@@ -167,11 +167,8 @@ namespace {
 std::string mechanism_html(Findings& all) {
   const CommandAnswer* answer = all.most_complete();
   if (!answer) return {};
-  const auto draw = [&](const char* name, bool narrow) {
-    return figure_html(all, figure(answer->pictures, name, {}), narrow);
-  };
-  std::string text = draw("section", false);
-  return all.is_full ? text + each_case_html(all, *answer, "end_view", true) : text + draw("end_view", true);
+  const auto draw = [&](const char* name) { return figure_html(all, figure(answer->pictures, name, {})); };
+  return draw("section") + (all.is_full ? each_case_html(all, *answer, "end_view") : draw("end_view"));
 }
 
 /// Stiffness and pressure of each model, a row per load case.
@@ -233,8 +230,8 @@ std::string loads_html(Findings& all) {
     return !is_of_stiffness(name) && !is_of_pressure(name) && !is_of_solution(name) && !is_of_rollers(name);
   });
   if (all.is_full) {
-    text += each_case_html(all, *solve, "roller_loads", false);
-    text += each_case_html(all, *solve, "roller_shares", true);
+    text += each_case_html(all, *solve, "roller_loads");
+    text += each_case_html(all, *solve, "roller_shares");
   }
   return text + loads_table_html(solve->document);
 }
@@ -415,10 +412,8 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
 std::string inputs_html(const Findings& all) {
   std::size_t stated = 0, defaults = 0;
   const std::string of_file = input_table_html(all, false, stated), others = input_table_html(all, true, defaults);
-  const auto assumed = std::ranges::count_if(all.checked().fields, [&](const input::EchoEntry& field) {
-    return basis_of(field, all.checked()).first == "assumed";
-  });
-  std::string text = fmt::format("<p>{} values given", static_cast<std::ptrdiff_t>(stated) - assumed);
+  const std::size_t assumed = assumed_inputs(all);
+  std::string text = fmt::format("<p>{} values given", stated - assumed);
   if (assumed > 0) text += fmt::format(", {} assumed as comments in the file say", assumed);
   text += ".</p>\n";
   text += of_file + folded_html(fmt::format("{} values that the file does not state: defaults", defaults), others);

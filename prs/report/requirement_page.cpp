@@ -1,5 +1,7 @@
 #include "prs/report/requirement_page.h"
 
+#include <regex>
+
 #include "prs/indices.h"
 #include "prs/report/glossary.h"
 #include "prs/run/commands.h"
@@ -20,9 +22,9 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
   for (const std::string_view key : keys) {
     const Quantity<Item>& q = quantity<Item>(key);
     const ReportUnit unit = report_unit(key, q.unit.text);
-    std::string shown = unit.text.empty() ? "" : ", " + unit.text;
-    if (const std::size_t space = shown.find(' ', 2); space != shown.npos) shown.replace(space, 1, "\u00a0");
-    head.push_back(prose_html(capitalised(title_of(q)) + shown));
+    static const std::regex kSpace(" ");
+    head.push_back(prose_html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", ") +
+                              std::regex_replace(unit.text, kSpace, "\u00a0")));
     for (const auto k : indices(rows)) {
       Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);

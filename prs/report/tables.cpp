@@ -265,11 +265,10 @@ std::string plain_table(const std::vector<std::string>& head, const std::vector<
                         bool of_numbers) {
   std::string text =
       fmt::format("<div class=\"wide\" tabindex=\"0\"><table{}>\n", of_numbers ? " class=\"quantities\"" : "");
-  const auto look = [&](std::size_t column) {           // Words begin at the left, numbers end at the right.
-    static const std::regex kName("[0-9][A-Za-df-z]");  // As in `30x10`.
+  const auto look = [&](std::size_t column) {  // Words begin at the left, numbers end at the right.
+    static const std::regex kWords("^[A-Za-z<]|[0-9][A-Za-df-z]");  // As `30x10`, but not 1e-6.
     const auto has_words = [&](const std::vector<std::string>& row) {
-      return column < row.size() && !row[column].empty() && row[column] != "–" &&
-             (row[column].find_first_of("0123456789") > 3 || std::regex_search(row[column], kName));
+      return column < row.size() && std::regex_search(row[column], kWords);
     };
     return of_numbers && column > 0 && std::ranges::any_of(rows, has_words) ? " class=\"words\"" : "";
   };

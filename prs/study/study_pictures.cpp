@@ -25,6 +25,9 @@ std::string shown_unit(const std::string& unit) {
   return shown;
 }
 
+/// Whether a label is the path of the factor, if with a name in place of the number of an item.
+bool is_path(const Factor& factor) { return factor.label.ends_with(factor.path.substr(factor.path.find(']') + 1)); }
+
 }  // namespace
 
 std::string study_figure_name(std::size_t index, const std::string& label) {
@@ -45,7 +48,7 @@ std::string level_text(const Level& level, const std::string& unit) {
 
 std::string factor_title(const Factor& factor) {
   const std::string text = shortened(printable(factor.label), kMaxTitle);
-  return factor.label == factor.path ? text : capitalised(text);
+  return is_path(factor) ? text : capitalised(text);
 }
 
 std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses, const FigureOptions& options) {
@@ -70,10 +73,12 @@ Figure response_figure(const std::vector<std::string>& responses, std::size_t re
 
 std::string factor_name(const Factor& factor) {
   constexpr std::size_t kMost = 34;
-  if (factor.label != factor.path) return shortened(factor_title(factor), kMost);
+  if (!is_path(factor)) return shortened(factor_title(factor), kMost);
   std::string words = printable(factor.path.substr(factor.path.find('.') + 1));
   std::ranges::replace_if(
       words, [](char c) { return c == '_' || c == '.'; }, ' ');
+  if (const std::size_t item = factor.label.find('[') + 1; factor.label != factor.path)
+    words += ", " + printable(factor.label.substr(item, factor.label.find(']') - item));
   return shortened(capitalised(words), kMost);
 }
 

@@ -102,13 +102,6 @@ TEST(Prose, HasTheSignsOfPrint) {
             "x=&#39;2 um&#39;</code>");
   EXPECT_EQ(prose_html("aluminum <b> column"), "aluminum &lt;b&gt; column");
   EXPECT_EQ(breakable_html("load_cases[0].name"), "load_<wbr>cases<wbr>[0].<wbr>name");
-  EXPECT_EQ(name_with_signs("tilted 0.1 deg"), "tilted 0.1°");
-  EXPECT_EQ(name_with_signs("0.1 degree"), "0.1 degree");
-}
-
-TEST(PlainTable, WordsBeginAtTheLeftAndNumbersEndAtTheRight) {
-  const std::string table = plain_table({"Rank", "Name", "Life"}, {{"1", "30x10", "1.2 × 10<sup>6</sup>"}}, true);
-  EXPECT_THAT(table, HasSubstr("<td class=\"words\">30x10</td><td>1.2 × 10<sup>6</sup></td>"));
 }
 
 /// Units as a keyboard has them, and backquotes, stand nowhere but in code.
