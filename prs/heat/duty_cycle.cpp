@@ -16,7 +16,8 @@ constexpr double kLeastPoints = 200;       // Number of points of a cycle, for i
 constexpr int kColumns = 6;                // Columns of the extrapolation.
 constexpr double kShortest = 1e-6;         // Step over the fastest time constant.
 constexpr double kNoOutput = 1e-9;         // Share of the energy input that counts as no output.
-constexpr double kMargin = 0.25;           // Margin of tables around the cycle [K].
+constexpr double kRoughMargin = 0.25;      // Margin of rough tables around the cycle [K].
+constexpr double kMargin = 0.02;           // Margin of good ones, some times the error of a cycle with rough ones [K].
 constexpr double kKeptMargin = 3.0;        // Margin of tables that serve other cycles too [K].
 constexpr double kFirstReach = 40.0;       // Rise up to which losses of a mission are first tabulated [K].
 
@@ -224,6 +225,8 @@ struct DutyCase : LossShare {
   std::unique_ptr<CaseLosses> equal;
 
   LossTable::Effort equal_effort = kTable, effort = kSolvedTable;
+
+  double accuracy() const { return (equal ? effort : equal_effort).accuracy; }
 };
 
 struct Duty {
@@ -263,9 +266,22 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
   return duty;
 }
 
-/// Losses of a load case. With solved shares equal ones come first: they cost little, and the difference is small.
-std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& load, bool good) {
-  const auto of = [&](CaseLosses& losses, bool by_rollers, const LossTable::Effort& effort, LossTable rough) {
+/// Share of each load case in the power that all bring in or lose over the cycle, at these temperatures: the weight of
+/// an error of its table.
+std::vector<double> shares_of_power(const Duty& duty, const std::vector<LossTable>& tables, const OfParts& at) {
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < duty.cases.size(); ++k)
+    sum += shares.emplace_back(duty.cases[k].share * tables[k + 1].value_at(at).lpNorm<Eigen::Infinity>());
+  for (double& share : shares) share = sum > 0.0 ? share / sum : 1.0;
+  return shares;
+}
+
+/// Losses of a load case with an error whose share of the cycle's power is `weight` times as large. With solved shares
+/// equal ones come first: they cost little, and the difference is small.
+std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& load, bool good, double weight) {
+  const auto of = [&](CaseLosses& losses, bool by_rollers, LossTable::Effort effort, LossTable rough) {
+    effort.accuracy = std::min(effort.accuracy / weight, kRoughTable.accuracy);
     return LossTable::over(
         box, [&losses](const OfParts& t) { return losses.at(t); }, by_rollers, good ? effort : kRoughTable,
         std::move(rough));
@@ -327,14 +343,17 @@ TemperatureBox within_reach(const TemperatureBox& box, const OfParts& start, dou
   return {box.least.cwiseMax(least).cwiseMin(greatest), box.greatest.cwiseMin(greatest).cwiseMax(least)};
 }
 
-/// Iteration: each round makes tables over the temperatures of the previous one and `margin` [K] around them: rough
-/// ones, and good ones after the range is known. In a mission the range grows from the start.
-FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, double margin) {
+/// Iteration: each round makes tables over the temperatures of the previous one and a margin around them: rough ones,
+/// and good ones after the range is known. In a mission the range grows from the start. `kept`: whether the tables
+/// serve other cycles too, in which other load cases may weigh more.
+FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, bool kept, bool rough) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   FoundCycle found{{std::vector<LossTable>(cases + 1), std::vector<TemperatureBox>(cases), guess}};
   for (std::size_t k = 0; k < cases; ++k)
     if (const std::optional<Losses> losses = duty.cases[k].losses->at(guess)) found.tables[k + 1] = LossTable(*losses);
+  const std::vector<double> weights =
+      kept ? std::vector<double>(cases, 1.0) : shares_of_power(duty, found.tables, guess);
 
   bool good = false;
   RepeatedCycle::Factors factors;
@@ -355,15 +374,16 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfPart
         box = within_reach(box, found.start, std::min(reach, kHottest - found.start.maxCoeff()));
     const auto is_covered = [&](std::size_t k) { return round > 0 && covered[k].contains(visited[k + 1]); };
     const bool inside = round > 0 && contain(covered, visited);
-    if (good && inside) return found;
+    if ((good || rough) && inside) return found;
     const bool was_good = std::exchange(good, good || inside);
     for (std::size_t k = 0; k < cases; ++k) {
-      if (was_good && is_covered(k)) continue;
+      const bool is_fine = weights[k] * found.tables[k + 1].error() <= duty.cases[k].accuracy();
+      if (is_covered(k) && (was_good || (good && is_fine))) continue;
       // Constant losses overestimate, so that their temperatures are not kept.
       TemperatureBox box = visited[k + 1];
       if (round > 1 && good == was_good) box.include(covered[k].least), box.include(covered[k].greatest);
-      covered[k] = box.widened(margin);
-      std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good);
+      covered[k] = box.widened(kept ? kKeptMargin : good ? kMargin : kRoughMargin);
+      std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good, weights[k]);
       if (!table)
         return ended(found, HeatStatus::no_steady_state, duty.cases[k].failure() + " at temperatures of the cycle");
       found.tables[k + 1] = std::move(*table);
@@ -424,7 +444,7 @@ HeatCycle warming(const ThermalNetwork& network, const OfParts& capacity, std::s
 }
 
 HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
-                     const DutyLosses* known, DutyLosses* kept, std::optional<double> temperature_limit) {
+                     const DutyLosses* known, DutyLosses* kept, std::optional<double> temperature_limit, bool rough) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   const Duty duty = duty_of(c, contacts);
@@ -447,18 +467,20 @@ HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<
       if (!steady.converged()) return ended(result, steady.status, steady.reason);
       guess = steady.temperature;
     }
-    again = find_cycle(cycle, duty, guess, kept ? kKeptMargin : kMargin);
+    again = find_cycle(cycle, duty, guess, kept != nullptr, rough);
     if (again->status != HeatStatus::converged) return ended(result, again->status, again->reason);
     if (kept) *kept = *again;
   }
   const FoundCycle& found = *again;
+  const std::vector<double> weights = shares_of_power(duty, found.tables, found.start);
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
-    if (const double limit = duty.start ? kTellMission : kTellTable; found.tables[k + 1].error() > limit)
+    if (const double limit = duty.start ? kTellMission : kTellTable, error = weights[k] * found.tables[k + 1].error();
+        error > limit)
       warnings.push_back(Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.cases[k].name),
                                  fmt::format("the losses of `{}` are not smooth over the temperatures of the "
-                                             "cycle: interpolated to {{value}} of their largest",
+                                             "cycle: interpolated to {{value}} of all",
                                              duty.cases[k].name)}
-                             .with(found.tables[k + 1].error(), limit));
+                             .with(error, limit));
   result = warming(network, capacity, duty.segments, found.tables, found.start,
                    duty.start ? temperature_limit : std::nullopt);
   result.period /= cycles, result.cycles = cycles;

@@ -223,16 +223,10 @@ bool has_life(const input::CaseInput& in) {
   return analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty();
 }
 
-/// Warnings of `solve` about the largest loads, and of `life` about those of its block.
-std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in, double largest) {
-  std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
-  if (has_life(in)) append(warnings, life_of(source, in).warnings);
-  return warnings;
-}
-
 /// Effect of a start of the screw out of position, which perfect parts hide: on the largest load and on the life,
-/// each for the sense that is worse for it.
-std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in, double largest) {
+/// each for the sense that is worse for it. `whole`: life of perfect parts, if it is known.
+std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in, double largest,
+                                     std::optional<double> whole) {
   constexpr double kOff = 3e-6;  ///< [m]
   const int starts = in.values.mechanism.starts.screw;
   const auto has_error = [&](Part part) {
@@ -257,11 +251,11 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
                behind = largest_load(with_start(-kOff));
   if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
   std::string life;
-  if (has_life(in)) {
-    const double whole = life_of(source, in).system_life;
-    const double left =
-        std::min(life_of(source, with_start(kOff)).system_life, life_of(source, with_start(-kOff)).system_life);
-    if (left > 0.0 && left < whole) life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
+  if (whole) {
+    const auto life_with = [&](double off) { return life_of(source, with_start(off), true).system_life; };
+    const double left = std::min(life_with(kOff), life_with(-kOff));
+    if (left > 0.0 && left < *whole)
+      life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / *whole));
   }
   return Warning{"deviations.pitch_error", "perfect_parts",
                  fmt::format("parts are perfect: one start of the screw out of position by {{{:g} um}} "
@@ -281,8 +275,9 @@ std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& 
   return all_warnings({}, {std::move(loaded)});
 }
 
-/// Adds the warnings of `solve` and `life` if solving takes no more than the share of one roller.
-void warn_of_loads(const input::Source& source, const input::CaseInput& in, Result& geometry) {
+/// Adds the warnings of `solve` about the largest loads and of `life` about those of its block if solving takes no more
+/// than the share of one roller. `life`: result of that command; null: computed here.
+void warn_of_loads(const input::Source& source, const input::CaseInput& in, const LifeResult* life, Result& geometry) {
   const Case& c = in.values;
   const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
@@ -290,8 +285,12 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   std::vector<Warning> warnings;
   try {
     if (is_quick && input::unmet(in, Command::solve).empty()) {
-      warnings = solved_load_warnings(source, in, force(*largest));
-      if (std::optional<Warning> note = perfect_parts(source, in, force(*largest)))
+      warnings = all_warnings({}, solved_largest(in, force(*largest)));
+      std::optional<LifeResult> computed;
+      if (has_life(in) && !life) life = &computed.emplace(life_of(source, in));
+      if (life) append(warnings, life->warnings);
+      if (std::optional<Warning> note =
+              perfect_parts(source, in, force(*largest), life ? std::optional(life->system_life) : std::nullopt))
         warnings.push_back(std::move(*note));
     } else if (largest != c.load_cases.end())
       warnings = equal_share_warnings(*largest, geometry.contacts);
@@ -302,8 +301,8 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
     if (!contains(geometry.warnings, warning)) geometry.warnings.push_back(std::move(warning));
 }
 
-/// Reads and checks the study, the optimization and the fit of the source too.
-CheckResult checked(const input::Source& source, const input::CaseInput& in) {
+/// Reads and checks the study, the optimization and the fit of the source too; without warnings.
+CheckResult readiness_of(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
   // A page has no curves.
@@ -318,20 +317,30 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
     if (const auto runs = needs.command.takes_running_loads; runs && needs.unmet.empty())
       needs.loads = runs(c) ? ModelOptions::Loads::running : ModelOptions::Loads::at_rest;
   }
-  Result& geometry = result.geometry;
-  geometry.contacts = find_contacts(c.mechanism, c.materials);
+  result.geometry.contacts = find_contacts(c.mechanism, c.materials);
+  return result;
+}
+
+void add_case_warnings(const input::Source& source, const input::CaseInput& in, const LifeResult* life,
+                       Result& geometry) {
+  const Case& c = in.values;
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
   // Effects of unusual values are not reported twice.
-  if (in.warnings.empty()) warn_of_loads(source, in, geometry);
+  if (in.warnings.empty()) warn_of_loads(source, in, life, geometry);
   if (std::optional<Warning> note = unknown_film_ratio(c)) geometry.warnings.push_back(std::move(*note));
   for (Warning& note : void_input_warnings(c)) geometry.warnings.push_back(std::move(note));
+}
+
+CheckResult checked(const input::Source& source, const input::CaseInput& in) {
+  CheckResult result = readiness_of(source, in);
+  add_case_warnings(source, in, nullptr, result.geometry);
   return result;
 }
 
 /// Result of the check with the verdict, for which all commands with complete inputs are run. `measures` includes the
 /// results of `solve`.
 CheckResult checked_with_verdict(const input::Source& source, const input::CaseInput& in) {
-  CheckResult result = checked(source, in);
+  CheckResult result = readiness_of(source, in);
   std::vector<Attempt> attempts;
   std::vector<std::unique_ptr<const Delivery>> deliveries;
   const bool takes_long = in.values.model.bodies->meshes;
@@ -369,6 +378,10 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
                         (command == Command::solve && has_loads) || (command == Command::compare && !has_references);
     if (analysis.is_judged && !is_had) attempt(command);
   }
+  const LifeResult* life = nullptr;
+  for (const auto& delivery : deliveries)
+    if (const auto* found = delivery->result<LifeResult>()) life = found;
+  add_case_warnings(source, in, life, result.geometry);
   result.verdict = verdict_by(in, attempts);
   return result;
 }
