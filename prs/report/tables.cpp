@@ -266,7 +266,7 @@ std::string plain_table(const std::vector<std::string>& head, const std::vector<
   std::string text =
       fmt::format("<div class=\"wide\" tabindex=\"0\"><table{}>\n", of_numbers ? " class=\"quantities\"" : "");
   const auto look = [&](std::size_t column) {  // Words begin at the left, numbers end at the right.
-    static const std::regex kWords("^[A-Za-z<]|[0-9][A-Za-df-z]");  // As `30x10`, but not 1e-6.
+    static const std::regex kWords("^[A-Za-z<]|[0-9][A-Za-df-z]");  // Words, and names such as `30x10`.
     const auto has_words = [&](const std::vector<std::string>& row) {
       return column < row.size() && std::regex_search(row[column], kWords);
     };
