@@ -232,8 +232,8 @@ PreloadResult analyze_warm_preload(const Conditions& c, Contacts contacts) {
   return result;
 }
 
-LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history, bool rough) {
-  if (!c.life->takes_heat(warms(c.heat))) return analyze_life(c, std::move(contacts), std::move(history), {}, rough);
+LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history) {
+  if (!c.life->takes_heat(warms(c.heat))) return analyze_life(c, std::move(contacts), std::move(history));
   require_rolling(c, contacts);
   HeatStatus status = HeatStatus::converged;
   std::string reason;
@@ -244,7 +244,7 @@ LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::option
     status = heat.status, reason = heat.reason;
     temperature = per_part(heat.temperature);
   } else {
-    const HeatCycle cycle = duty_cycle(c, contacts, warnings, nullptr, nullptr, {}, rough);
+    const HeatCycle cycle = duty_cycle(c, contacts, warnings);
     status = cycle.status, reason = cycle.reason;
     temperature = cycle.mean;
   }
@@ -253,7 +253,7 @@ LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::option
     warnings.push_back(no_steady_state(status, reason));
   }
   const Oils oils = warm_oils(c, oil_temperatures(of_parts(temperature)));
-  LifeResult result = analyze_life(warm(c, temperature), std::move(contacts), std::move(history), oils, rough);
+  LifeResult result = analyze_life(warm(c, temperature), std::move(contacts), std::move(history), oils);
   result.temperature_status = status;
   if (status == HeatStatus::converged)
     result.temperature = temperature;

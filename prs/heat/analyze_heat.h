@@ -48,10 +48,9 @@ inline PreloadResult analyze_warm_preload(const Case& c) {
 /// Result of `analyze_life`, with a block `heat`, solved shares and `life.temperatures: heat` at one temperature of
 /// each part: for the mean heat of the spectrum, or the mean over the cycle of `heat.duty`. The case must have passed
 /// `check_case` and the requirements of `life`.
-LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history = {},
-                             bool rough = false);
-inline LifeResult analyze_warm_life(const Case& c, std::optional<LoadHistory> history = {}, bool rough = false) {
-  return analyze_warm_life(c, checked_contacts(c, Detail::complete), std::move(history), rough);
+LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history = {});
+inline LifeResult analyze_warm_life(const Case& c, std::optional<LoadHistory> history = {}) {
+  return analyze_warm_life(c, checked_contacts(c, Detail::complete), std::move(history));
 }
 
 }  // namespace prs

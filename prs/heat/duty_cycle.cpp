@@ -346,7 +346,7 @@ TemperatureBox within_reach(const TemperatureBox& box, const OfParts& start, dou
 /// Iteration: each round makes tables over the temperatures of the previous one and a margin around them: rough ones,
 /// and good ones after the range is known. In a mission the range grows from the start. `kept`: whether the tables
 /// serve other cycles too, in which other load cases may weigh more.
-FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, bool kept, bool rough) {
+FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, bool kept) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   FoundCycle found{{std::vector<LossTable>(cases + 1), std::vector<TemperatureBox>(cases), guess}};
@@ -374,7 +374,7 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfPart
         box = within_reach(box, found.start, std::min(reach, kHottest - found.start.maxCoeff()));
     const auto is_covered = [&](std::size_t k) { return round > 0 && covered[k].contains(visited[k + 1]); };
     const bool inside = round > 0 && contain(covered, visited);
-    if ((good || rough) && inside) return found;
+    if (good && inside) return found;
     const bool was_good = std::exchange(good, good || inside);
     for (std::size_t k = 0; k < cases; ++k) {
       const bool is_fine = weights[k] * found.tables[k + 1].error() <= duty.cases[k].accuracy();
@@ -444,7 +444,7 @@ HeatCycle warming(const ThermalNetwork& network, const OfParts& capacity, std::s
 }
 
 HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
-                     const DutyLosses* known, DutyLosses* kept, std::optional<double> temperature_limit, bool rough) {
+                     const DutyLosses* known, DutyLosses* kept, std::optional<double> temperature_limit) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   const Duty duty = duty_of(c, contacts);
@@ -467,7 +467,7 @@ HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<
       if (!steady.converged()) return ended(result, steady.status, steady.reason);
       guess = steady.temperature;
     }
-    again = find_cycle(cycle, duty, guess, kept != nullptr, rough);
+    again = find_cycle(cycle, duty, guess, kept != nullptr);
     if (again->status != HeatStatus::converged) return ended(result, again->status, again->reason);
     if (kept) *kept = *again;
   }

@@ -38,9 +38,9 @@ HeatCycle warming(const ThermalNetwork& network, const OfParts& capacity, std::s
 /// Energies are integrated along with the temperatures, so that they balance to rounding.
 /// The peak is that within steps too. `warnings` reports losses that are too rough for tables.
 /// `known` of a case with other conductances, capacities or times serves where its tables hold for
-/// the whole cycle, else `found` are new ones, over a wider range than this cycle needs. `rough`: losses to 1e-4.
+/// the whole cycle, else `found` are new ones, over a wider range than this cycle needs.
 HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
                      const DutyLosses* known = nullptr, DutyLosses* found = nullptr,
-                     std::optional<double> temperature_limit = {}, bool rough = false);
+                     std::optional<double> temperature_limit = {});
 
 }  // namespace prs

@@ -21,8 +21,6 @@ constexpr std::size_t kFewForces = 40;
 
 /// Tolerances of curves over more than `kFewForces` forces: with preload, and for all rollers.
 constexpr double kCurveTolerance = 1e-5, kOrbitTolerance = 1e-4;
-/// Tolerance of curves for rough lives.
-constexpr double kRoughTolerance = 1e-5;
 
 void find_capacity(const LifeModel& p, LifeResult& r) {
   const double angle = contact_angle({p.laws.screw.normal_angle, p.laws.nut.normal_angle});
@@ -219,7 +217,7 @@ std::function<double(double, double)> damage_between(const Sense& s) {
 /// Curve of a sense, with few equilibria.
 ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::Solve& solve) {
   const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
-  if (!p.full() && !p.preloaded()) return ShareCurve(solve, least, s.largest, {p.tolerance, {}});
+  if (!p.full() && !p.preloaded()) return ShareCurve(solve, least, s.largest);
   std::set<double> forces(s.forces.begin(), s.forces.end());
   if (p.preloaded()) forces.insert(0.0);
   if (forces.size() <= kFewForces) return ShareCurve(solve, forces);
@@ -238,7 +236,7 @@ ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<d
   if (forces.size() < ShareCurve::kNodes && !p.full() && !p.preloaded()) return ShareCurve(solve, forces);
   if (p.full() || p.preloaded()) return curve_of_sense(p, s, solve);
   const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
-  return ShareCurve(solve, least, s.largest, {p.tolerance, damage_between(s)});
+  return ShareCurve(solve, least, s.largest, {ShareCurve::kTolerance, damage_between(s)});
 }
 
 /// Keeps the larger load of each thread.
@@ -739,7 +737,7 @@ StaticForces solved_static_forces(const Conditions& c, const Contacts& contacts,
 }
 
 LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history,
-                        const std::optional<Oils>& oils, bool rough) {
+                        const std::optional<Oils>& oils) {
   LifeResult r;
   r.life = *c.life;
   r.model = c.model;
@@ -747,7 +745,7 @@ LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<Lo
   r.contacts = std::move(contacts);
   r.warnings = geometry_warnings(c, r.contacts, {});
   r.history = std::move(history);
-  const LifeModel p{c, r.contacts, contact_laws(c, r.contacts), oils, rough ? kRoughTolerance : ShareCurve::kTolerance};
+  const LifeModel p{c, r.contacts, contact_laws(c, r.contacts), oils};
 
   find_capacity(p, r);
   find_spectrum(c, r);

@@ -172,10 +172,9 @@ StaticForces solved_static_forces(const Conditions& c, const Contacts& contacts,
 /// case must have passed `check_case` and the requirements of `life`; `history` is given if the case has one. Throws
 /// CaseError if Lemor's factor is not known for the geometry, the loads need a thrust section that is not given, the
 /// screw never turns or never carries, or the geometry gives no contact. `oils`: replace the lubricant at the
-/// temperature of the file, for running loads. With a block `heat` see prs/heat/analyze_heat.h. `rough`: lives to three
-/// digits, which need fewer equilibria where threads open.
+/// temperature of the file, for running loads. With a block `heat` see prs/heat/analyze_heat.h.
 LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history = {},
-                        const std::optional<Oils>& oils = {}, bool rough = false);
+                        const std::optional<Oils>& oils = {});
 inline LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {}) {
   return analyze_life(c, checked_contacts(c, Detail::complete), std::move(history));
 }

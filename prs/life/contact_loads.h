@@ -119,7 +119,6 @@ struct LifeModel {
   const Contacts& contacts;
   PerInterface<ContactLaw> laws;
   std::optional<Oils> oils = {};  ///< Oils that replace the lubricant at the temperature of the file.
-  double tolerance = ShareCurve::kTolerance;
 
   /// Whether fatigue is computed from loads of the running screw.
   bool running() const { return life_takes_running_loads(c); }

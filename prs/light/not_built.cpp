@@ -155,7 +155,7 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
 Oils warm_oils(const Conditions&, const PerInterface<double>&) { throw NotBuilt("heat"); }
 OfParts of_parts(const PerPart<double>&) { throw NotBuilt("heat"); }
 PerInterface<double> oil_temperatures(const OfParts&) { throw NotBuilt("heat"); }
-LifeResult life_of(const input::Source&, const input::CaseInput&, bool) { throw NotBuilt("prs life"); }
+LifeResult life_of(const input::Source&, const input::CaseInput&) { throw NotBuilt("prs life"); }
 FitInput read_fit_input(const input::Source&) { throw NotBuilt("prs fit"); }
 
 // Texts of the verdict about limits.

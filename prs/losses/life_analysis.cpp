@@ -497,11 +497,11 @@ ModifiedLife modified_life(const Case& c, const LifeResult& r) {
 
 }  // namespace
 
-LifeResult life_of(const input::Source& source, const input::CaseInput& in, bool rough) {
+LifeResult life_of(const input::Source& source, const input::CaseInput& in) {
   std::optional<LoadHistory> history;
   if (in.values.life->history) history = input::read_force_history(*in.values.life->history, source);
-  LifeResult life = analyze_warm_life(in.values, std::move(history), rough);
-  if (!rough && in.values.life->contamination && life.converged()) life.modified = modified_life(in.values, life);
+  LifeResult life = analyze_warm_life(in.values, std::move(history));
+  if (in.values.life->contamination && life.converged()) life.modified = modified_life(in.values, life);
   return life;
 }
 

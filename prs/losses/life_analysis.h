@@ -27,7 +27,7 @@ std::string cycle_matrix_csv(const CycleMatrix& matrix, const CsvStyle& style = 
 /// Analysis of life; infinite lives, without load, are absent.
 const Analysis<LifeResult>& life_analysis();
 
-/// Reads the force history that the case refers to. `rough`: lives to three digits, in a fraction of the time.
-LifeResult life_of(const input::Source& source, const input::CaseInput& in, bool rough = false);
+/// Reads the force history that the case refers to.
+LifeResult life_of(const input::Source& source, const input::CaseInput& in);
 
 }  // namespace prs

@@ -252,7 +252,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
   if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
   std::string life;
   if (whole) {
-    const auto life_with = [&](double off) { return life_of(source, with_start(off), true).system_life; };
+    const auto life_with = [&](double off) { return life_of(source, with_start(off)).system_life; };
     const double left = std::min(life_with(kOff), life_with(-kOff));
     if (left > 0.0 && left < *whole)
       life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / *whole));
