@@ -267,9 +267,10 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
 }
 
 /// Share of each load case in the power that all bring in or lose over the cycle, at these temperatures: the weight of
-/// an error of its table.
+/// an error of its table; 1 in a mission.
 std::vector<double> shares_of_power(const Duty& duty, const std::vector<LossTable>& tables, const OfParts& at) {
   std::vector<double> shares;
+  if (duty.start) return std::vector<double>(duty.cases.size(), 1.0);
   double sum = 0.0;
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
     sum += shares.emplace_back(duty.cases[k].share * tables[k + 1].value_at(at).lpNorm<Eigen::Infinity>());
@@ -355,6 +356,7 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfPart
   const std::vector<double> weights =
       kept ? std::vector<double>(cases, 1.0) : shares_of_power(duty, found.tables, guess);
 
+  const bool wide = kept || duty.start;
   bool good = false;
   RepeatedCycle::Factors factors;
   std::vector<TemperatureBox>& covered = found.covered;
@@ -377,12 +379,12 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfPart
     if (good && inside) return found;
     const bool was_good = std::exchange(good, good || inside);
     for (std::size_t k = 0; k < cases; ++k) {
-      const bool is_fine = weights[k] * found.tables[k + 1].error() <= duty.cases[k].accuracy();
+      const bool is_fine = !wide && weights[k] * found.tables[k + 1].error() <= duty.cases[k].accuracy();
       if (is_covered(k) && (was_good || (good && is_fine))) continue;
       // Constant losses overestimate, so that their temperatures are not kept.
       TemperatureBox box = visited[k + 1];
       if (round > 1 && good == was_good) box.include(covered[k].least), box.include(covered[k].greatest);
-      covered[k] = box.widened(kept ? kKeptMargin : good ? kMargin : kRoughMargin);
+      covered[k] = box.widened(kept ? kKeptMargin : good && !wide ? kMargin : kRoughMargin);
       std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good, weights[k]);
       if (!table)
         return ended(found, HeatStatus::no_steady_state, duty.cases[k].failure() + " at temperatures of the cycle");
