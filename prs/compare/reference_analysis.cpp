@@ -166,9 +166,8 @@ constexpr Quantity<ComparedReference> kReference[] = {
     {"mean", of<[](auto& r) { return r.reference().mean_magnitude(); }>, "mean magnitude of the reference"},
     {"sum", of<[](auto& r) { return r.found().sum; }>, "over a complete set of threads, of shares and of axial loads"},
     {"expected_sum", of<[](auto& r) { return r.found().expected_sum; }>, "what the load of a roller makes of it"},
-    {"reference_sum_percent", of<[](auto& r) {
-       return r.found().sum ? std::optional(100.0 * *r.found().sum / *r.found().expected_sum) : std::nullopt;
-     }>,
+    {"reference_sum_percent",
+     of<[](auto& r) { return r.found().sum ? std::optional(*r.found().sum / *r.found().expected_sum) : std::nullopt; }>,
      "that sum in % of the expected one"},
     {"mean_deviation", of<[](auto& r) { return stated_model(r).deviation(kMean); }>,
      "mean of computed less reference, by the model of the bodies that the case states, as the next two"},

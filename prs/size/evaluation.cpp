@@ -504,6 +504,10 @@ class Evaluation {
     const Mechanism& mechanism = sized_.screw.c.mechanism;
     const bool on_nut = carrier_part(c_.screw.type) == Part::nut;
     const double length = on_nut ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
+    if (on_nut && r_.stroke && sized_.shaft_length < *r_.stroke + c_.nut_length)
+      all.push_back(Warning{"shaft.length", "short_shaft",
+                            "the shaft, {value}, is shorter than stroke and nut together, {limit}", "lengthen it"}
+                        .with(sized_.shaft_length, *r_.stroke + c_.nut_length, "mm"_unit, Warning::Worse::smaller));
     const std::optional<double> stroke = r_.motion.loads ? r_.stroke : std::optional(cycle_.loaded_way);
     if (stroke && *stroke > 0.0 && *stroke < kShortStroke * length)
       all.push_back(Warning{"stroke", "short_stroke",

@@ -443,12 +443,10 @@ CompleteScrew screw_of(const CandidateData& candidate, const std::optional<doubl
 }
 
 double shaft_length(const Requirement& r, const CompleteScrew& s) {
+  if (r.shaft.length) return *r.shaft.length;
   const double d = s.data.screw_diameter, nut = s.c.structure->nut.length;
-  const double travel = r.stroke && carrier_part(s.data.type) == Part::nut ? *r.stroke : 0.0;
-  if (r.shaft.length && travel > 0.0 && *r.shaft.length < travel + nut)
-    throw CaseError("shaft.length", fmt::format("got {}; expected at least {}, stroke and nut together",
-                                                mm(*r.shaft.length), mm(travel + nut)));
-  return r.shaft.length.value_or(r.stroke ? travel + nut + 2.0 * d : 20.0 * d);
+  if (!r.stroke) return 20.0 * d;
+  return (carrier_part(s.data.type) == Part::nut ? *r.stroke : 0.0) + nut + 2.0 * d;
 }
 
 /// Value rounded to the digits of a written case.
@@ -768,7 +766,8 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
   life.dynamic_capacity = candidate.rated_dynamic_capacity;
   life.static_capacity = candidate.rated_static_capacity;
   const bool travels = carrier_part(sized.screw.data.type) == Part::nut;
-  if (travels && in.values.stroke) c.measures->shaft->stroke = in.values.stroke;
+  if (travels && in.values.stroke && sized.shaft_length >= *in.values.stroke + c.structure->nut.length)
+    c.measures->shaft->stroke = in.values.stroke;
   Limits limits = limits_of(in);
   MotorDuty duty = motor_duty(in, sized);
   const std::string preload = c.preload ? "\n# Oversized rollers; `prs preload` has the curve through zero.\n" +

@@ -56,7 +56,7 @@ struct SizedCase {
 Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& conductance);
 
 /// Case of a candidate. The nut of an inverted screw without a stated length is as long as the rollers' threads travel.
-/// Throws CaseError if `prs new` refuses the screw, or a nut or the shaft is too short for the stroke.
+/// Throws CaseError if `prs new` refuses the screw, or a nut is too short for the stroke.
 SizedCase sized_case(const SizeInput& in, const CandidateData& candidate);
 
 enum class CriterionStatus : std::uint8_t { pass, fail, not_computed, not_applicable };
