@@ -9,9 +9,6 @@
 namespace prs {
 namespace {
 
-using input::EchoEntry;
-using input::Source;
-
 using Paths = std::vector<std::string>;
 
 /// Numbers of a command's document that a reader compares first: of each load case, and of the whole.
@@ -69,26 +66,27 @@ std::optional<double> change(const Both<double>& value) {
   return (*value[1] - *value[0]) / std::abs(*value[0]);
 }
 
-std::optional<double> change(const EchoEntry& a, const EchoEntry& b) {
+std::optional<double> change(const input::EchoEntry& a, const input::EchoEntry& b) {
   if (a.dimension != b.dimension || (a.dimension && zero_depends_on_unit(*a.dimension))) return std::nullopt;
   return change({a.number, b.number});
 }
 
 /// Text as in the file.
-std::string told(const EchoEntry& entry) { return entry.written.empty() ? entry.value : entry.written; }
+std::string told(const input::EchoEntry& entry) { return entry.written.empty() ? entry.value : entry.written; }
 
-std::vector<InputRow> differing_inputs(const std::vector<EchoEntry>& first, const std::vector<EchoEntry>& second) {
-  std::map<std::string_view, const EchoEntry*> others;
-  for (const EchoEntry& entry : second) others.emplace(entry.path, &entry);
+std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& first,
+                                       const std::vector<input::EchoEntry>& second) {
+  std::map<std::string_view, const input::EchoEntry*> others;
+  for (const input::EchoEntry& entry : second) others.emplace(entry.path, &entry);
   std::vector<InputRow> rows;
-  for (const EchoEntry& entry : first) {
+  for (const input::EchoEntry& entry : first) {
     const auto other = others.extract(entry.path);
     if (!other)
       rows.push_back({entry.path, {told(entry), std::nullopt}, {}});
     else if (other.mapped()->value != entry.value)
       rows.push_back({entry.path, {told(entry), told(*other.mapped())}, change(entry, *other.mapped())});
   }
-  for (const EchoEntry& entry : second)
+  for (const input::EchoEntry& entry : second)
     if (others.contains(entry.path)) rows.push_back({entry.path, {std::nullopt, told(entry)}, {}});
   return rows;
 }
@@ -158,9 +156,9 @@ void add_figures(const Figures& first, const Figures& second, const std::string&
   }
 }
 
-CaseComparison compared(const Source& first, const Source& second) {
+CaseComparison compared(const input::Source& first, const input::Source& second) {
   CaseComparison c;
-  const std::array<const Source*, 2> sources{&first, &second};
+  const std::array<const input::Source*, 2> sources{&first, &second};
   std::array<input::CaseInput, 2> in;
   for (const auto k : up_to(2)) {
     in[k] = input::read_case_input(*sources[k], Command::check);
@@ -278,7 +276,7 @@ const RecordInfo& case_comparison_record() {
   return info;
 }
 
-Delivery compare_cases(const Source& first, const Source& second) {
+Delivery compare_cases(const input::Source& first, const input::Source& second) {
   const auto c = std::make_shared<const CaseComparison>(compared(first, second));
   Delivery d{"comparison.json", [=](const DocumentInfo& info) { return document(*c, info); }, [=] { return table(*c); },
              c->notes, [=] { return c->warnings[0]; }};
