@@ -8,8 +8,11 @@
 namespace fe {
 namespace {
 
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+
 /// Twice the area of the triangle abc, positive where it turns from r to z.
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
@@ -99,8 +102,8 @@ MeshedGrid::MeshedGrid(const MeridianGrid& grid) : stride_(2 * grid.layers + 1) 
   const auto node_at = [&](int i, int j) {
     int& node = index_[static_cast<std::size_t>(i * stride_ + j)];
     if (node < 0) {
-      const Eigen::Vector2d& low = grid.point(i / 2, j / 2);
-      const Eigen::Vector2d& high = grid.point((i + 1) / 2, (j + 1) / 2);
+      const Vector2d& low = grid.point(i / 2, j / 2);
+      const Vector2d& high = grid.point((i + 1) / 2, (j + 1) / 2);
       node = mesh_.size();
       mesh_.nodes.push_back(0.5 * (low + high));
       if (!(mesh_.nodes.back().x() >= 0.0))
@@ -111,8 +114,8 @@ MeshedGrid::MeshedGrid(const MeridianGrid& grid) : stride_(2 * grid.layers + 1) 
   for (int c = 0; c < grid.columns; ++c)
     for (int l = 0; l < grid.layers; ++l) {
       if (!grid.is_filled(c, l)) continue;
-      const std::array<Eigen::Vector2d, 4> corner{grid.point(c, l), grid.point(c, l + 1), grid.point(c + 1, l + 1),
-                                                  grid.point(c + 1, l)};
+      const std::array<Vector2d, 4> corner{grid.point(c, l), grid.point(c, l + 1), grid.point(c + 1, l + 1),
+                                           grid.point(c + 1, l)};
       for (std::size_t k = 0; k < 4; ++k)
         if (!(turn(corner[k], corner[(k + 1) % 4], corner[(k + 3) % 4]) > 0.0))
           throw std::invalid_argument("a cell of the meridian mesh is turned over");
@@ -169,7 +172,7 @@ void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmo
     const double x = kFivePoints[i];
     const std::array<double, 3> value{0.5 * x * (x - 1.0), 0.5 * x * (x + 1.0), 1.0 - x * x};
     const std::array<double, 3> slope{x - 0.5, x + 0.5, -2.0 * x};
-    Eigen::Vector2d point = Eigen::Vector2d::Zero(), tangent = Eigen::Vector2d::Zero();
+    Vector2d point = Vector2d::Zero(), tangent = Vector2d::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       point += value[k] * at(mesh.nodes, edge[k]);
       tangent += slope[k] * at(mesh.nodes, edge[k]);
@@ -254,7 +257,7 @@ int HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
   for (const HarmonicSupport& s : supports) held[static_cast<std::size_t>(row_of(s.node, s.component))] = true;
 
   double largest = 0.0;
-  for (const Eigen::Vector2d& p : mesh.nodes) largest = std::max(largest, p.x());
+  for (const Vector2d& p : mesh.nodes) largest = std::max(largest, p.x());
   freedom_.assign(held.size(), {});
   int equations = 0;
   for (int node = 0; node < mesh.size(); ++node) {
@@ -286,14 +289,14 @@ FactorizationStatus HarmonicBody::factorize(int harmonic) {
   return cholesky_->factorize(stiffness_);
 }
 
-Eigen::MatrixXd HarmonicBody::solve(const Eigen::MatrixXd& loads) {
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(unknowns(), loads.cols()), x(unknowns(), loads.cols());
+MatrixXd HarmonicBody::solve(const MatrixXd& loads) {
+  MatrixXd b = MatrixXd::Zero(unknowns(), loads.cols()), x(unknowns(), loads.cols());
   for (Eigen::Index row = 0; row < loads.rows(); ++row) {
     const Freedom f = freedom_[static_cast<std::size_t>(row)];
     if (f.equation >= 0) b.row(f.equation) += f.sign * loads.row(row);
   }
   cholesky_->solve(b, x);
-  Eigen::MatrixXd displacement = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
+  MatrixXd displacement = MatrixXd::Zero(loads.rows(), loads.cols());
   for (Eigen::Index row = 0; row < loads.rows(); ++row) {
     const Freedom f = freedom_[static_cast<std::size_t>(row)];
     if (f.equation >= 0) displacement.row(row) = f.sign * x.row(f.equation);

@@ -7,6 +7,8 @@
 namespace fe {
 namespace {
 
+using Eigen::VectorXd;
+
 int global(int node, Dof dof) { return kDofsPerNode * node + static_cast<int>(dof); }
 
 /// Freedoms of a beam or a shell.
@@ -114,8 +116,8 @@ double largest_change(const std::vector<Equations::Spring>& springs, const State
 
 /// residual = f - residual, less the forces force_of(k) of the springs.
 template <class ForceOf>
-void less_forces(const std::vector<Equations::Spring>& springs, const Eigen::VectorXd& f, ForceOf force_of,
-                 Eigen::VectorXd& residual) {
+void less_forces(const std::vector<Equations::Spring>& springs, const VectorXd& f, ForceOf force_of,
+                 VectorXd& residual) {
   residual = f - residual;
   for (std::size_t k = 0; k < springs.size(); ++k) {
     const Equations::Spring& s = springs[k];
@@ -280,8 +282,8 @@ void Equations::add_springs(const Model& model) {
 
 int Equations::slot(int i, int j) const { return slot_in(linear_, i, j); }
 
-Eigen::VectorXd Equations::load_vector(const std::vector<NodalLoad>& loads) const {
-  Eigen::VectorXd f = Eigen::VectorXd::Zero(size());
+VectorXd Equations::load_vector(const std::vector<NodalLoad>& loads) const {
+  VectorXd f = VectorXd::Zero(size());
   for_each_load(loads, [&](int equation, double force) { f[equation] += force; });
   return f;
 }
@@ -318,7 +320,7 @@ double Equations::law_approach(const State& q, int k) const {
   return fe::law_approach(without_gap(s.law), s.net_approach(q));
 }
 
-double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const {
+double Equations::energy_and_residual(const State& q, const VectorXd& f, VectorXd& residual) const {
   double energy = 0.5 * linear_forces(q, residual);
   energy += q.head.dot(0.5 * residual - f);
   residual -= f;
@@ -330,8 +332,7 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f, 
   return energy;
 }
 
-void Equations::tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f,
-                                 Eigen::VectorXd& residual) const {
+void Equations::tangent_residual(const State& q, const State& x, const VectorXd& f, VectorXd& residual) const {
   forces_of(Displacements<State>{*this, x, 0.0}, residual);
   const auto force = [&](std::size_t k) {
     const Spring& s = springs_[k];
@@ -361,7 +362,7 @@ std::vector<double> Equations::nodal_forces(const State& q) const {
   return has_short_beam ? nodal_forces_by<Quad>(q) : nodal_forces_by<long double>(q);
 }
 
-double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {
+double Equations::force_change(const State& q, const VectorXd& x) const {
   return largest_change(springs_, q, [&](const Spring& s) {
     double w = 0.0;
     for (std::size_t i = 0; i < s.count; ++i) w += s.coefficient[i] * x[s.equation[i]];
@@ -378,8 +379,8 @@ double Equations::force_rounding(const State& q) const {
          });
 }
 
-Eigen::VectorXd Equations::rounding_residual(const State& q) const {
-  Eigen::VectorXd r = Eigen::VectorXd::Zero(size());
+VectorXd Equations::rounding_residual(const State& q) const {
+  VectorXd r = VectorXd::Zero(size());
   for (int j = 0; j < size(); ++j)
     for (int k = at(linear_.column_start, j); k < at(linear_.column_start, j + 1); ++k) {
       const int i = at(linear_.row, k);
@@ -402,15 +403,14 @@ void Equations::secant_stiffness(const std::vector<double>& stiffness, SparseSym
     springs_[k].for_each_tangent(stiffness[k], [&](int slot, double value) { at(matrix.value, slot) += value; });
 }
 
-void Equations::secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f,
-                                Eigen::VectorXd& residual) const {
-  linear_forces(State(Eigen::VectorXd::Zero(size())), residual);
+void Equations::secant_residual(const std::vector<double>& stiffness, const VectorXd& f, VectorXd& residual) const {
+  linear_forces(State(VectorXd::Zero(size())), residual);
   less_forces(
       springs_, f, [&](std::size_t k) { return -stiffness[k] * springs_[k].law.gap; }, residual);
 }
 
-void Equations::secant_residual(const std::vector<double>& stiffness, const State& x, const Eigen::VectorXd& f,
-                                Eigen::VectorXd& residual) const {
+void Equations::secant_residual(const std::vector<double>& stiffness, const State& x, const VectorXd& f,
+                                VectorXd& residual) const {
   forces_of(Displacements<State>{*this, x, 0.0}, residual);
   less_forces(
       springs_, f, [&](std::size_t k) { return stiffness[k] * springs_[k].approach(x); }, residual);

@@ -8,6 +8,8 @@
 namespace fe {
 namespace {
 
+using Eigen::VectorXd;
+
 constexpr double kTangentTolerance = 1e-11;
 constexpr int kMostRefinements = 10;
 /// Relative correction after which the next one would be rounding.
@@ -19,7 +21,7 @@ class DoubleNumbers : public DoubleTangent {
   static constexpr double kNoGain = 1e-3;
   using Energy = double;
   using State = fe::State;
-  using Vector = Eigen::VectorXd;
+  using Vector = VectorXd;
 
   explicit DoubleNumbers(const Equations& equations) : DoubleTangent(equations), equations_(&equations) {}
 
@@ -97,7 +99,7 @@ struct NewtonSolver::Doubles {
       : method(equations), residual(equations.size()), correction(equations.size()) {}
 
   NewtonMethod<DoubleNumbers> method;
-  Eigen::VectorXd residual, correction;
+  VectorXd residual, correction;
 };
 
 NewtonSolver::NewtonSolver(const Equations& equations, double smallest_pivot_ratio)
@@ -118,7 +120,7 @@ WideNewton& NewtonSolver::wide() {
   return *wide_;
 }
 
-NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q,
+NewtonSummary NewtonSolver::solve(const VectorXd& f, const NewtonOptions& options, State& q,
                                   const std::function<bool()>& held) {
   const int limit = options.iteration_limit(static_cast<int>(equations_->springs().size()));
   const State start = q;
@@ -133,7 +135,7 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
   return summary;
 }
 
-FollowingLoad::FollowingLoad(const Equations& equations, Eigen::VectorXd unchanged,
+FollowingLoad::FollowingLoad(const Equations& equations, VectorXd unchanged,
                              const std::vector<std::vector<NodalLoad>>& loads)
     : constant(std::move(unchanged)), per_force(loads.size()) {
   for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -148,7 +150,7 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
   constexpr int kMostSteps = 40, kFullSteps = 10;
   constexpr double kMuchTheSame = 0.05;  // Change of stiffness that friction tolerates less exactly.
   DoubleNumbers& numbers = doubles_->method.numbers();
-  Eigen::VectorXd &residual = doubles_->residual, &correction = doubles_->correction;
+  VectorXd &residual = doubles_->residual, &correction = doubles_->correction;
   const State first = q;
   double left = 0.0;  // Remaining relative residual of the forces.
   const auto left_at = [&](const State& state) {
@@ -195,10 +197,10 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
   return false;
 }
 
-bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q) {
+bool NewtonSolver::start(const VectorXd& f, const std::vector<double>& stiffness, State& q) {
   DoubleNumbers& numbers = doubles_->method.numbers();
-  Eigen::VectorXd& residual = doubles_->residual;
-  q = State(Eigen::VectorXd::Zero(equations_->size()));
+  VectorXd& residual = doubles_->residual;
+  q = State(VectorXd::Zero(equations_->size()));
   equations_->secant_residual(stiffness, f, residual);
   numbers.secant(stiffness);
   const Cholesky* factor = numbers.start_factor();
@@ -208,14 +210,14 @@ bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& st
   return true;
 }
 
-bool NewtonSolver::solve_linear(const std::vector<double>& stiffness, const std::vector<Eigen::VectorXd>& loads,
-                                std::vector<Eigen::VectorXd>& displacements, double near) {
+bool NewtonSolver::solve_linear(const std::vector<double>& stiffness, const std::vector<VectorXd>& loads,
+                                std::vector<VectorXd>& displacements, double near) {
   DoubleNumbers& numbers = doubles_->method.numbers();
   numbers.secant(stiffness);
   if (!(near > 0.0 && numbers.factorized_within(near)) && numbers.factorize() != FactorizationStatus::ok) return false;
-  Eigen::VectorXd& correction = doubles_->correction;
-  for (const Eigen::VectorXd& load : loads) {
-    Eigen::VectorXd x;
+  VectorXd& correction = doubles_->correction;
+  for (const VectorXd& load : loads) {
+    VectorXd x;
     numbers.solve(load, x);
     State refined(std::move(x));
     // A refinement leaves about the square of the error that it corrects.
@@ -230,12 +232,12 @@ bool NewtonSolver::solve_linear(const std::vector<double>& stiffness, const std:
   return true;
 }
 
-bool NewtonSolver::solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
+bool NewtonSolver::solve_tangent(const State& q, const VectorXd& rate, VectorXd& x) {
   DoubleNumbers& numbers = doubles_->method.numbers();
   numbers.tangent(q, 0.0);
   if (numbers.factorize() != FactorizationStatus::ok) return wide().solve_tangent(q, rate, x);
-  Eigen::VectorXd& residual = doubles_->residual;
-  Eigen::VectorXd& correction = doubles_->correction;
+  VectorXd& residual = doubles_->residual;
+  VectorXd& correction = doubles_->correction;
   numbers.solve(rate, x);
   State refined(x);
   for (int k = 0; k <= kMostRefinements; ++k) {

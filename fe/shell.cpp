@@ -4,6 +4,8 @@
 #include <cassert>
 
 namespace fe {
+using Eigen::Matrix2d;
+using Eigen::Matrix4d;
 
 ShellMatrix to_matrix(const ShellBlocks<double>& k) {
   ShellMatrix m;
@@ -28,10 +30,10 @@ using std::numbers::pi;
 constexpr double kLongestPiece = 0.125;  ///< Longest piece, over (B/H)^(1/4).
 
 /// Hermite's cubics over (w_1, w_1', w_2, w_2'), 4 Gauss points.
-Eigen::Matrix4d hermite_piece(const OvalRigidity& r, double l) {
+Matrix4d hermite_piece(const OvalRigidity& r, double l) {
   static constexpr double kPoint[] = {0.339981043584856265, 0.861136311594052575};
   static constexpr double kWeight[] = {0.652145154862546143, 0.347854845137453857};
-  Eigen::Matrix4d k = Eigen::Matrix4d::Zero();
+  Matrix4d k = Matrix4d::Zero();
   for (int i = 0; i < 4; ++i) {
     const double s = 0.5 * (1.0 + (i % 2 == 0 ? 1.0 : -1.0) * kPoint[i / 2]);
     const double weight = 0.5 * l * kWeight[i / 2];
@@ -48,15 +50,14 @@ Eigen::Matrix4d hermite_piece(const OvalRigidity& r, double l) {
 }
 
 /// Stiffness of two equal lengths in a row, with the node between them eliminated.
-Eigen::Matrix4d hermite_doubled(const Eigen::Matrix4d& k) {
-  const Eigen::Matrix2d k11 = k.topLeftCorner<2, 2>(), k12 = k.topRightCorner<2, 2>(),
-                        k22 = k.bottomRightCorner<2, 2>();
+Matrix4d hermite_doubled(const Matrix4d& k) {
+  const Matrix2d k11 = k.topLeftCorner<2, 2>(), k12 = k.topRightCorner<2, 2>(), k22 = k.bottomRightCorner<2, 2>();
   Eigen::Matrix<double, 2, 4> coupling;
   coupling << k12.transpose(), k12;
-  Eigen::Matrix4d whole = Eigen::Matrix4d::Zero();
+  Matrix4d whole = Matrix4d::Zero();
   whole.topLeftCorner<2, 2>() = k11;
   whole.bottomRightCorner<2, 2>() = k22;
-  return whole - coupling.transpose() * Eigen::Matrix2d(k22 + k11).llt().solve(coupling);
+  return whole - coupling.transpose() * Matrix2d(k22 + k11).llt().solve(coupling);
 }
 
 }  // namespace
@@ -78,12 +79,11 @@ ShellMatrix stiffness_matrix(const OvalRigidity& wall, double length) {
   const double longest = kLongestPiece * std::pow(wall.bending / wall.hoop, 0.25);
   int halvings = 0;
   for (double l = length; l > longest && halvings < 30; l *= 0.5) ++halvings;
-  Eigen::Matrix4d k = hermite_piece(wall, std::ldexp(length, -halvings));
+  Matrix4d k = hermite_piece(wall, std::ldexp(length, -halvings));
   for (int i = 0; i < halvings; ++i) k = hermite_doubled(k);
   // (w_1, w_1', w_2, w_2') from differences and means.
-  Eigen::Matrix4d t;
-  t << -0.5 * Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Identity(), 0.5 * Eigen::Matrix2d::Identity(),
-      Eigen::Matrix2d::Identity();
+  Matrix4d t;
+  t << -0.5 * Matrix2d::Identity(), Matrix2d::Identity(), 0.5 * Matrix2d::Identity(), Matrix2d::Identity();
   ShellMatrix shell = ShellMatrix::Zero();
   shell.bottomRightCorner<4, 4>() = t.transpose() * (0.5 * (k + k.transpose())) * t;
   return shell;

@@ -8,6 +8,8 @@
 namespace fe {
 namespace {
 
+using Eigen::VectorXd;
+
 using Wide = Quad;
 using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
 
@@ -29,7 +31,7 @@ struct WideState {
 WideState to_wide(const State& q) { return {q.head.cast<Wide>() + q.tail.cast<Wide>()}; }
 
 State to_state(const WideState& q) {
-  State state(Eigen::VectorXd(q.value.size()));
+  State state(VectorXd(q.value.size()));
   for (Eigen::Index i = 0; i < q.value.size(); ++i) {
     state.head[i] = static_cast<double>(q.value[i]);
     state.tail[i] = static_cast<double>(q.value[i] - state.head[i]);
@@ -58,7 +60,7 @@ struct WideNumbers {
     return evaluate(without_gap(s.law), static_cast<double>(net_approach(s, q)));
   }
 
-  Wide energy_and_residual(const State& q, const Eigen::VectorXd& f, Vector& residual) const {
+  Wide energy_and_residual(const State& q, const VectorXd& f, Vector& residual) const {
     Wide energy = Wide(0.5) * equations.linear_forces(q, residual);
     const Vector load = f.cast<Wide>();
     energy += q.value.dot(Wide(0.5) * residual - load);
@@ -79,7 +81,7 @@ struct WideNumbers {
   static double force_rounding(const State&) { return 0.0; }
   /// Whether the residual is within the rounding of the springs' laws, which no step removes.
   bool residual_is_rounding(const State& q, const Vector& residual) const {
-    Eigen::VectorXd rounding = Eigen::VectorXd::Zero(equations.size());
+    VectorXd rounding = VectorXd::Zero(equations.size());
     for (const Equations::Spring& s : equations.springs()) {
       const double force = response(s, q).force;
       for (std::size_t i = 0; i < s.count; ++i) rounding[s.equation[i]] += force * std::abs(s.coefficient[i]);
@@ -89,7 +91,7 @@ struct WideNumbers {
   }
 
   /// The laws' energies have the digits of a double.
-  double energy_rounding(const State& q, const Eigen::VectorXd&, const Wide&) const {
+  double energy_rounding(const State& q, const VectorXd&, const Wide&) const {
     double energy = 0.0;
     for (const Equations::Spring& s : equations.springs()) energy += response(s, q).energy;
     return kEnergyRounding * energy;
@@ -119,7 +121,7 @@ struct DoubleSteps : WideNumbers {
   bool solved(const Vector& b, const Vector& x) const { return doubles.solved(b.cast<double>(), x.cast<double>()); }
 
   DoubleTangent& doubles;
-  Eigen::VectorXd step;
+  VectorXd step;
 };
 
 /// L D L' of a symmetric matrix in wide numbers, L row by row.
@@ -228,7 +230,7 @@ WideNewton::WideNewton(const Equations& equations, DoubleTangent& doubles)
     : methods_(std::make_unique<Methods>(equations, doubles)) {}
 WideNewton::~WideNewton() = default;
 
-NewtonSummary WideNewton::solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit, State& q) {
+NewtonSummary WideNewton::solve(const VectorXd& f, const NewtonOptions& options, int limit, State& q) {
   WideState wide = to_wide(q);
   NewtonSummary summary = methods_->by_doubles.solve(f, options, limit, kMostShifted, wide);
   if (digits_may_help(summary)) {
@@ -243,7 +245,7 @@ NewtonSummary WideNewton::solve(const Eigen::VectorXd& f, const NewtonOptions& o
   return summary;
 }
 
-bool WideNewton::solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
+bool WideNewton::solve_tangent(const State& q, const VectorXd& rate, VectorXd& x) {
   WideSteps& numbers = methods_->by_wide().numbers();
   numbers.tangent(to_wide(q), 0.0);
   if (numbers.factorize() != FactorizationStatus::ok) return false;

@@ -12,6 +12,11 @@
 namespace prs {
 
 namespace estimation = modules::fit;
+using estimation::CurveResult;
+using estimation::Runs;
+using estimation::StartResult;
+using estimation::Unidentified;
+using estimation::UnknownResult;
 
 // A part of a result for documents, by its index.
 struct FittedUnknown {
@@ -19,7 +24,7 @@ struct FittedUnknown {
   std::size_t j = 0;
 
   const FitParameter* parameter() const { return r->parameter(j); }
-  const estimation::UnknownResult& found() const { return r->found.unknowns[j]; }
+  const UnknownResult& found() const { return r->found.unknowns[j]; }
   const std::optional<estimation::Estimate>& estimate() const { return found().estimate; }
   std::string name() const { return r->name(j); }
   std::string label() const { return parameter() ? parameter()->label : name(); }
@@ -36,14 +41,14 @@ struct FittedCurve {
   std::size_t c = 0;
 
   const FitCurve& curve() const { return r->input.curves[c]; }
-  const estimation::CurveResult& found() const { return r->found.curves[c]; }
+  const CurveResult& found() const { return r->found.curves[c]; }
   bool is_fitted() const { return curve().use == FitCurve::Use::fit; }
 };
 struct FitDirection {
   const FitResult* r = nullptr;
   std::size_t k = 0;
 
-  const estimation::Unidentified& found() const { return r->found.unidentified[k]; }
+  const Unidentified& found() const { return r->found.unidentified[k]; }
   const std::optional<estimation::Estimate>& combination() const { return found().combination; }
   bool has_spread() const { return combination() && combination()->deviation > 0.0; }
   std::vector<std::string> names() const {
@@ -69,11 +74,11 @@ Record<FittedUnknown> record_of(Type<FittedUnknown>);
 Record<FitMatrix> record_of(Type<FitMatrix>);
 Record<FitCombination> record_of(Type<FitCombination>);
 Record<FitDirection> record_of(Type<FitDirection>);
-Record<estimation::Runs> record_of(Type<estimation::Runs>);
+Record<Runs> record_of(Type<Runs>);
 Record<FittedCurve> record_of(Type<FittedCurve>);
 Record<FitCondition> record_of(Type<FitCondition>);
 Record<FittedBand> record_of(Type<FittedBand>);
-Record<estimation::StartResult> record_of(Type<estimation::StartResult>);
+Record<StartResult> record_of(Type<StartResult>);
 
 namespace {
 
@@ -86,6 +91,8 @@ constexpr auto has_profile = [](const FittedUnknown& p) {
   return p.estimate() && std::ranges::find(p.r->input.profile, p.j) != p.r->input.profile.end();
 };
 template <auto member>
+constexpr auto in_found = [](auto& part) { return part.found().*member; };
+template <auto member>
 constexpr auto of_estimate = of<[](const FittedUnknown& p) { return (*p.estimate()).*member; }, has_estimate>;
 
 constexpr Quantity<FitParameter::Prior> kPrior[] = {
@@ -94,8 +101,8 @@ constexpr Quantity<FitParameter::Prior> kPrior[] = {
 };
 
 constexpr Quantity<FitProfile> kProfile[] = {
-    {"low", of<[](auto& p) { return p.found().profile_low; }>, "absent beyond a bound"},
-    {"high", of<[](auto& p) { return p.found().profile_high; }>, "absent beyond a bound"},
+    {"low", of<in_found<&UnknownResult::profile_low>>, "absent beyond a bound"},
+    {"high", of<in_found<&UnknownResult::profile_high>>, "absent beyond a bound"},
 };
 
 constexpr Quantity<FittedUnknown> kUnknown[] = {
@@ -108,8 +115,8 @@ constexpr Quantity<FittedUnknown> kUnknown[] = {
     {"from", always<[](auto& p) { return p.bound(-1.0); }>, "lower bound"},
     {"to", always<[](auto& p) { return p.bound(1.0); }>, "upper bound"},
     {"prior", of<[](auto& p) { return p.parameter()->prior; }, &FittedUnknown::parameter>, "as the file has it"},
-    {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data determine it"},
-    {"value", of<[](auto& p) { return p.found().value; }>, "at the least objective"},
+    {"identified", always<in_found<&UnknownResult::is_identified>>, "whether the data determine it"},
+    {"value", of<in_found<&UnknownResult::value>>, "at the least objective"},
     {"standard_deviation", of_estimate<&estimation::Estimate::deviation>, "with `log` times the value"},
     {"low", of_estimate<&estimation::Estimate::low>, "end of the interval"},
     {"high", of_estimate<&estimation::Estimate::high>, "end of the interval"},
@@ -132,7 +139,7 @@ constexpr Quantity<FitMatrix> kMatrix[] = {
 constexpr Quantity<FitCombination> kCombination[] = {
     {"kind", always<[](auto& d) { return d.is_product() ? "product" : "sum"; }>, "sum | product"},
     {"names", always<&FitDirection::names>, "of both parameters, a and b"},
-    {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
+    {"factor", always<in_found<&Unidentified::factor>>, "a + factor b, or a b^factor"},
     {"value", always<[](auto& d) { return d.combination()->value; }>, "of the combination, which the data determine"},
     {"standard_deviation", of<[](auto& d) { return d.combination()->deviation; }, &FitDirection::has_spread>,
      "of a product times its value"},
@@ -143,16 +150,16 @@ constexpr Quantity<FitCombination> kCombination[] = {
 
 constexpr Quantity<FitDirection> kDirection[] = {
     {"names", always<&FitDirection::names>, "parameters that the data cannot separate"},
-    {"direction", always<[](auto& d) { return d.found().direction; }>, "of the scaled parameters"},
-    {"ratio", always<[](auto& d) { return d.found().ratio; }>, "singular value over the largest"},
+    {"direction", always<in_found<&Unidentified::direction>>, "of the scaled parameters"},
+    {"ratio", always<in_found<&Unidentified::ratio>>, "singular value over the largest"},
     {"combination", of<[](auto& d) { return FitCombination{d}; }, [](auto& d) { return d.combination().has_value(); }>,
      "what counts of two"},
 };
 
-constexpr Quantity<estimation::Runs> kRuns[] = {
-    {"count", always<&estimation::Runs::count>, "of equal signs in a row"},
-    {"expected", always<&estimation::Runs::expected>, "of signs without a pattern"},
-    {"p_value", always<&estimation::Runs::p_value>, "of so few", "Wald and Wolfowitz 1940"},
+constexpr Quantity<Runs> kRuns[] = {
+    {"count", always<&Runs::count>, "of equal signs in a row"},
+    {"expected", always<&Runs::expected>, "of signs without a pattern"},
+    {"p_value", always<&Runs::p_value>, "of so few", "Wald and Wolfowitz 1940"},
 };
 
 constexpr auto is_computed = [](const FittedCurve& c) { return !c.found().residual.empty(); };
@@ -184,19 +191,19 @@ constexpr Quantity<FittedCurve> kCurve[] = {
      "squares | huber | cauchy"},
     {"estimated", always<[](auto& c) { return c.is_fitted() && c.curve().deviation.empty(); }>,
      "whether the deviation of its readings was"},
-    {"redundancy", of_found<&estimation::CurveResult::redundancy>, "rows less what they determine"},
+    {"redundancy", of_found<&CurveResult::redundancy>, "rows less what they determine"},
     {"rms", of<[](auto& c) { return c.found().rms; }, is_computed>, "root of the mean square of the residuals"},
-    {"r_squared", of_found<&estimation::CurveResult::r_squared>, "1 - residual over total sum of squares"},
-    {"chi_square", of_found<&estimation::CurveResult::chi_square>, "sum of the squares over the deviations"},
-    {"runs", of_found<&estimation::CurveResult::runs>, "of sign of the residuals"},
+    {"r_squared", of_found<&CurveResult::r_squared>, "1 - residual over total sum of squares"},
+    {"chi_square", of_found<&CurveResult::chi_square>, "sum of the squares over the deviations"},
+    {"runs", of_found<&CurveResult::runs>, "of sign of the residuals"},
     {"line", of_curve<&FitCurve::lines>, "of the file"},
     {"measured", of_curve<&FitCurve::measured>, "readings"},
-    {"fitted", of_found<&estimation::CurveResult::fitted>, "with the offset"},
-    {"residual", of_found<&estimation::CurveResult::residual>, "measured less fitted"},
-    {"standard_deviation", of_found<&estimation::CurveResult::deviation>, "of a reading"},
-    {"weight", of_found<&estimation::CurveResult::weight>, "of a reading under the loss"},
-    {"low", of_found<&estimation::CurveResult::low>, "band of the response"},
-    {"high", of_found<&estimation::CurveResult::high>, "band of the response"},
+    {"fitted", of_found<&CurveResult::fitted>, "with the offset"},
+    {"residual", of_found<&CurveResult::residual>, "measured less fitted"},
+    {"standard_deviation", of_found<&CurveResult::deviation>, "of a reading"},
+    {"weight", of_found<&CurveResult::weight>, "of a reading under the loss"},
+    {"low", of_found<&CurveResult::low>, "band of the response"},
+    {"high", of_found<&CurveResult::high>, "band of the response"},
 };
 
 constexpr Quantity<FitCondition> kBandCondition[] = {
@@ -215,17 +222,17 @@ constexpr Quantity<FittedBand> kBand[] = {
        return all;
      }>,
      "what is set"},
-    {"value", of_found<&estimation::CurveResult::fitted>, "response at the fitted values, one for each row"},
-    {"standard_deviation", of_found<&estimation::CurveResult::band_deviation>, "by the covariance of the values"},
-    {"low", of_found<&estimation::CurveResult::low>, "end of the band"},
-    {"high", of_found<&estimation::CurveResult::high>, "end of the band"},
+    {"value", of_found<&CurveResult::fitted>, "response at the fitted values, one for each row"},
+    {"standard_deviation", of_found<&CurveResult::band_deviation>, "by the covariance of the values"},
+    {"low", of_found<&CurveResult::low>, "end of the band"},
+    {"high", of_found<&CurveResult::high>, "end of the band"},
 };
 
-constexpr Quantity<estimation::StartResult> kStart[] = {
-    {"objective", of<&estimation::StartResult::objective>, "S + 2 sum of rows x ln(estimated deviation)"},
-    {"values", filled<&estimation::StartResult::values>, "of the parameters, where it ended"},
+constexpr Quantity<StartResult> kStart[] = {
+    {"objective", of<&StartResult::objective>, "S + 2 sum of rows x ln(estimated deviation)"},
+    {"values", filled<&StartResult::values>, "of the parameters, where it ended"},
     {"status", always<[](auto& s) { return name(s.status); }>, "how the search ended"},
-    {"best", always<&estimation::StartResult::is_best>, "whether the fit is this one"},
+    {"best", always<&StartResult::is_best>, "whether the fit is this one"},
 };
 
 /// Parts of a kind, by their indices 0 to n - 1.
@@ -376,7 +383,7 @@ Cells cells_of(const FittedUnknown& p) {
 
 /// Name, rows, deviation, rms, R², probability of the runs, unit.
 Cells cells_of(const FittedCurve& c) {
-  const estimation::CurveResult& f = c.found();
+  const CurveResult& f = c.found();
   return {c.curve().name + (c.is_fitted() ? "" : " (compared)"),
           std::to_string(c.curve().rows),
           deviation_text(c),
@@ -388,7 +395,7 @@ Cells cells_of(const FittedCurve& c) {
 
 /// Conditions, value, deviation, ends of the band, unit: the first rows.
 std::vector<Cells> cells_of(const FittedBand& c, std::size_t most) {
-  const estimation::CurveResult& f = c.found();
+  const CurveResult& f = c.found();
   std::vector<Cells> rows;
   for (std::size_t i = 0; i < std::min(f.low.size(), most); ++i)
     rows.push_back({row_text(c.curve(), i), cell(f.fitted[i]), cell(f.band_deviation[i]), cell(f.low[i]),
@@ -509,7 +516,7 @@ Figures curve_figures(const FitResult& r) {
   const std::size_t line = figure.add("fit", line_of(Colour::blue));
   const std::size_t points = figure.add("readings", points_of(Colour::vermillion, Mark::circle));
   for (const FittedCurve& c : all_of<FittedCurve>(r, r.input.curves.size())) {
-    const estimation::CurveResult& f = c.found();
+    const CurveResult& f = c.found();
     if (f.fitted.empty()) continue;
     const std::pair<Axis, std::vector<double>> course = course_of(c.curve());
     const std::vector<double>& x = course.second;
@@ -607,11 +614,11 @@ PRS_RECORD(FitMatrix, "FitMatrix", "Of the values with a deviation.", kMatrix);
 PRS_RECORD(FitCombination, "FitCombination",
            "Combination that the data determine of two parameters that they cannot separate.", kCombination);
 PRS_RECORD(FitDirection, "FitDirection", "Parameters that the data cannot separate.", kDirection);
-PRS_RECORD(estimation::Runs, "FitRuns", "Runs of sign of the residuals.", kRuns);
+PRS_RECORD(Runs, "FitRuns", "Runs of sign of the residuals.", kRuns);
 PRS_RECORD(FittedCurve, "FittedCurve", "A curve with its fit.", kCurve);
 PRS_RECORD(FitCondition, "FitCondition", "What a band sets.", kBandCondition);
 PRS_RECORD(FittedBand, "FitBand", "A response with its uncertainty.", kBand);
-PRS_RECORD(estimation::StartResult, "FitStart", "A search.", kStart);
+PRS_RECORD(StartResult, "FitStart", "A search.", kStart);
 PRS_RECORD(FitResult, "Fit", "Unknown inputs from measured curves.", kFit);
 
 const Analysis<FitResult>& fit_analysis() {

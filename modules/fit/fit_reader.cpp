@@ -22,6 +22,8 @@
 namespace prs {
 namespace {
 
+using input::Slot;
+
 using input::CaseFile, input::FitConditionItem, input::FitCurveItem, input::FitItem, input::FitParameterItem;
 using input::Conversion, input::conversion, input::Node, input::Readings, input::shown, input::units_like;
 using input::with_unit;
@@ -123,14 +125,14 @@ class FitReader : input::VariedInput {
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
     if (!check_outside("path", item.path)) errors_.throw_if_any();
     p.path = as_in_file(p.path);
-    const input::Slot::Kind kind = kind_of(p.path);
-    if (kind == input::Slot::Kind::none && wrong(p.path, item.from)) fail_as_unknown(p.path, item.path);
-    if (kind != input::Slot::Kind::number && kind != input::Slot::Kind::none) fail_as_no_number(item.path);
+    const Slot::Kind kind = kind_of(p.path);
+    if (kind == Slot::Kind::none && wrong(p.path, item.from)) fail_as_unknown(p.path, item.path);
+    if (kind != Slot::Kind::number && kind != Slot::Kind::none) fail_as_no_number(item.path);
     for (const char* end : {".from", ".to"})
       if (!check_in_place(p.path, *find_path(root_, path_ + end))) errors_.throw_if_any();
-    const input::Slot slot = find_slot(file_, p.path);
+    const Slot slot = find_slot(file_, p.path);
     const auto from = input::split_unit(item.from);
-    if (slot.kind != input::Slot::Kind::number || !from) fail_as_no_number(item.path);
+    if (slot.kind != Slot::Kind::number || !from) fail_as_no_number(item.path);
     p.unit = from->unit;
     p.is_log = item.scale == FitParameterItem::Scale::log;
     p.from = from->number;
@@ -142,7 +144,7 @@ class FitReader : input::VariedInput {
   }
 
   /// A path to one law hides those to others.
-  input::Slot::Kind kind_of(const std::string& path) const {
+  Slot::Kind kind_of(const std::string& path) const {
     CaseFile file = file_;
     return find_slot(file, path).kind;
   }
@@ -154,14 +156,14 @@ class FitReader : input::VariedInput {
     for (const input::EchoEntry& entry : fields_)
       if (entry.number) all.insert(entry.path);
     for (const input::InputKey& key : input::input_keys()) all.insert(key.path);
-    std::erase_if(all, [&](const std::string& one) { return kind_of(one) != input::Slot::Kind::number; });
+    std::erase_if(all, [&](const std::string& one) { return kind_of(one) != Slot::Kind::number; });
     const std::vector<std::string_view> near = input::near_words(path, {all.begin(), all.end()});
     fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(written),
          near.empty() ? "state the block that has it, or write for example `path: materials.youngs_modulus`"
                       : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
   }
 
-  void check_range(const FitParameter& p, const FitParameterItem& item, const input::Slot& slot) const {
+  void check_range(const FitParameter& p, const FitParameterItem& item, const Slot& slot) const {
     if (!(p.from < p.to))
       fail(path_ + ".from", "got {}; expected less than `to`, {}; {}", shown(item.from), shown(item.to),
            p.from == p.to ? "write two different ones" : "swap the two");
@@ -211,7 +213,7 @@ class FitReader : input::VariedInput {
     return find_path(base_, other) && !find_path(base_, path) ? other : path;
   }
 
-  void read_prior(FitParameter& p, const FitParameterItem::Prior& item, const input::Slot& slot) const {
+  void read_prior(FitParameter& p, const FitParameterItem::Prior& item, const Slot& slot) const {
     FitParameter::Prior prior;
     prior.mean = number(item.mean, p.unit, "prior.mean", "`from`");
     const auto written = input::split_unit(item.deviation);
@@ -348,7 +350,7 @@ class FitReader : input::VariedInput {
   struct Column {
     std::size_t field = 0;
     std::string at;  ///< Path of the condition.
-    input::Slot slot = {};
+    Slot slot = {};
     const input::Unit* unit = nullptr;
     std::set<std::string> sound = {};  ///< Words that were tried.
   };
@@ -404,7 +406,7 @@ class FitReader : input::VariedInput {
   }
 
   /// Compares the unit of a column with that of the input that it sets.
-  void prepare(FitCondition& condition, const std::string& first, input::Slot& slot, const input::Unit*& unit) {
+  void prepare(FitCondition& condition, const std::string& first, Slot& slot, const input::Unit*& unit) {
     CaseFile file = file_;
     {
       Node design = base_;
@@ -413,10 +415,10 @@ class FitReader : input::VariedInput {
         file = read_case_file(design, none);
     }
     slot = find_slot(file, condition.path);
-    if (slot.kind == input::Slot::Kind::none)
+    if (slot.kind == Slot::Kind::none)
       if (const auto problem = wrong(condition.path, joined(first, condition.unit)))
         fail(path_ + ".path", "{}", problem->substr(problem->find(": ") + 2));
-    if (slot.kind != input::Slot::Kind::number) return;
+    if (slot.kind != Slot::Kind::number) return;
     const input::Dimension* d = slot.dimension;
     const bool fits =
         !d ? condition.unit.empty()

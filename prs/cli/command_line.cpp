@@ -15,19 +15,22 @@
 namespace prs::cli {
 namespace {
 
+using CLI::App;
+using CLI::Option;
+
 using input::did_you_mean;
 using input::shown;
 
-bool is_argument(const CLI::Option& option) { return option.get_positional(); }
+bool is_argument(const Option& option) { return option.get_positional(); }
 
-std::string path_of(const CLI::App& app) {
-  const CLI::App* parent = app.get_parent();
+std::string path_of(const App& app) {
+  const App* parent = app.get_parent();
   return parent == nullptr ? app.get_name() : path_of(*parent) + " " + app.get_name();
 }
 
 /// Chain of parsed commands: root, command, its command.
-std::vector<const CLI::App*> parsed(const CLI::App& app) {
-  std::vector<const CLI::App*> chain{&app};
+std::vector<const App*> parsed(const App& app) {
+  std::vector<const App*> chain{&app};
   while (!chain.back()->get_subcommands().empty()) chain.push_back(chain.back()->get_subcommands().front());
   return chain;
 }
@@ -40,7 +43,7 @@ std::vector<std::string> words_of(const std::string& type_name) {
   return words;
 }
 
-OptionText text_of(const CLI::Option& option) {
+OptionText text_of(const Option& option) {
   OptionText text;
   for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
@@ -73,7 +76,7 @@ struct Extra {
 bool is_option(std::string_view text) { return text.starts_with('-') && text != "-"; }
 
 /// The word in place of a command, if it is none, else the first option, else the first word.
-std::optional<Extra> extra(const std::vector<const CLI::App*>& chain) {
+std::optional<Extra> extra(const std::vector<const App*>& chain) {
   std::optional<Extra> first;
   for (std::size_t depth = 0; depth < chain.size(); ++depth)
     for (const std::string& text : chain[depth]->remaining()) {
@@ -91,9 +94,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
 }
 
 /// Suggestion for an option; the dashes, common to all, are left out, as they would make short ones look alike.
-std::string option_suggestion(std::string_view name, const CLI::App& command) {
+std::string option_suggestion(std::string_view name, const App& command) {
   std::vector<std::string> known;
-  for (const CLI::Option* option : command.get_options())
+  for (const Option* option : command.get_options())
     for (const std::string& n : option->get_lnames()) known.push_back(n);
   const std::size_t begin = std::min(name.find_first_not_of('-'), name.size());
   std::string text = suggestion(name.substr(begin), known);
@@ -102,9 +105,9 @@ std::string option_suggestion(std::string_view name, const CLI::App& command) {
 }
 
 /// Commands that take an option, if only one or two do: `prs check`.
-std::string commands_with(const std::string& option, const CLI::App& program) {
+std::string commands_with(const std::string& option, const App& program) {
   std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({}))
+  for (const App* command : program.get_subcommands({}))
     if (command->get_option_no_throw(option) != nullptr) names.push_back(fmt::format("`{}`", path_of(*command)));
   return names.size() > 3 ? "" : fmt::format("{}", fmt::join(names, " or "));
 }
@@ -115,13 +118,13 @@ std::string unknown_command(std::string_view word, const std::string& program, c
   return fmt::format("got {}; expected a command{}", shown(word), suggestion(word, known));
 }
 
-std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& extra) {
-  const CLI::App& command = *chain[extra.depth];
+std::string unexpected(const std::vector<const App*>& chain, const Extra& extra) {
+  const App& command = *chain[extra.depth];
   if (!is_option(extra.text)) {
     if (extra.depth > 0 || command.get_subcommands({}).empty())
       return fmt::format("got {}; expected no further word", shown(extra.text));
     std::vector<std::string> known;
-    for (const CLI::App* c : command.get_subcommands({})) known.push_back(c->get_name());
+    for (const App* c : command.get_subcommands({})) known.push_back(c->get_name());
     return unknown_command(extra.text, path_of(command), known);
   }
   const std::string name = extra.text.substr(0, extra.text.find('='));
@@ -135,15 +138,15 @@ std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& e
 }
 
 /// Form of the option in help: `--output DIR`.
-std::string form(const CLI::Option& option) {
+std::string form(const Option& option) {
   const OptionText text = text_of(option);
   return is_argument(option) ? text.value : fmt::format("{} {}", text.names.back(), text.value);
 }
 
-std::string message(const CLI::ParseError& error, const std::vector<const CLI::App*>& chain) {
+std::string message(const CLI::ParseError& error, const std::vector<const App*>& chain) {
   if (const std::optional<Extra> first = extra(chain)) return unexpected(chain, *first);
-  const CLI::App& command = *chain.back();
-  const CLI::Option* option = command.get_option_no_throw(named(error));
+  const App& command = *chain.back();
+  const Option* option = command.get_option_no_throw(named(error));
   if (option == nullptr) return error.what();
   const std::string name = is_argument(*option) ? form(*option) : option->get_name();
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
@@ -166,11 +169,11 @@ std::string message(const CLI::ParseError& error, const std::vector<const CLI::A
 
 }  // namespace
 
-CommandText describe(const CLI::App& app) {
+CommandText describe(const App& app) {
   CommandText text{path_of(app), app.get_group(), app.get_description(), app.get_footer(), {}, {}, {}};
-  for (const CLI::Option* option : app.get_options())
+  for (const Option* option : app.get_options())
     (is_argument(*option) ? text.arguments : text.options).push_back(text_of(*option));
-  for (const CLI::App* command : app.get_subcommands({})) text.commands.push_back(describe(*command));
+  for (const App* command : app.get_subcommands({})) text.commands.push_back(describe(*command));
   return text;
 }
 
@@ -188,7 +191,7 @@ const CommandText& find_command(const CommandText& program, std::span<const std:
   return *found;
 }
 
-void take_one_of(CLI::Option* option, std::vector<std::string> words) {
+void take_one_of(Option* option, std::vector<std::string> words) {
   option->type_name(fmt::format("{}", fmt::join(words, "|")));
   option->check([words = std::move(words)](const std::string& text) {
     if (std::ranges::find(words, text) != words.end()) return std::string();
@@ -197,7 +200,7 @@ void take_one_of(CLI::Option* option, std::vector<std::string> words) {
   });
 }
 
-void take_whole_number(CLI::Option* option, long least, long most) {
+void take_whole_number(Option* option, long least, long most) {
   option->type_name("N");
   option->check([=](const std::string& text) {
     long value = 0;
@@ -208,7 +211,7 @@ void take_whole_number(CLI::Option* option, long least, long most) {
   });
 }
 
-std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+std::optional<int> parse(App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -223,7 +226,7 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   return std::nullopt;
 }
 
-int report_usage(const CLI::App& app, std::string_view message) {
+int report_usage(const App& app, std::string_view message) {
   std::string help = "prs help";
   if (const std::string path = path_of(*parsed(app).back()); path != "prs") help += path.substr(path.find(' '));
   say(fmt::format("prs: error: {}{} `{}`\n", message, message.ends_with('?') ? " See" : "; see", help));

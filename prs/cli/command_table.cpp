@@ -22,7 +22,9 @@
 namespace prs::cli {
 namespace {
 
-using Add = void (*)(CLI::App&, Options&);
+using CLI::App;
+
+using Add = void (*)(App&, Options&);
 using Run = int (*)(const Options&);
 
 // Groups of commands, by purpose.
@@ -31,11 +33,11 @@ constexpr const char* kAnalyse = "Analyse a case";
 constexpr const char* kSearch = "Compute many designs";
 constexpr const char* kLook = "Look up";
 
-CLI::Option* add_file(CLI::App& command, Options& options) {
+CLI::Option* add_file(App& command, Options& options) {
   return add_value(command, "file", options.file, "FILE", "The case, a YAML file; `-` reads standard input");
 }
 
-void add_set(CLI::App& command, Options& options) {
+void add_set(App& command, Options& options) {
   take_each(add_value(command, "--set", options.overrides, "PATH=VALUE",
                       "Replace a value of the case, e.g. mechanism.rollers=9; repeatable"))
       ->check([](const std::string& text) {
@@ -48,7 +50,7 @@ void add_set(CLI::App& command, Options& options) {
 }
 
 /// Adds the options of every command of a case.
-void add_case_options(CLI::App& command, Options& options) {
+void add_case_options(App& command, Options& options) {
   add_file(command, options)->required();
   add_set(command, options);
   add_output_options(command, options);
@@ -58,17 +60,17 @@ void add_case_options(CLI::App& command, Options& options) {
   add_flag(command, "--figures", options.figures, "Put the pictures into the document, as data");
 }
 
-void add_threads(CLI::App& command, Options& options) {
+void add_threads(App& command, Options& options) {
   take_whole_number(
       command.add_option("--threads", options.threads, "Threads to compute on; default: one per processor"), 1,
       kMostThreads);
 }
 
-void add_restart(CLI::App& command, Options& options, const char* help) {
+void add_restart(App& command, Options& options, const char* help) {
   add_flag(command, "--restart", options.restart, help);
 }
 
-void add_compare_options(CLI::App& compare, Options& options) {
+void add_compare_options(App& compare, Options& options) {
   add_value(compare, "other", options.other, "FILE", "A second case: its inputs and results beside those of the first");
   take_each(
       add_value(compare, "--reference", options.references, "FILE",
@@ -83,7 +85,7 @@ void add_compare_options(CLI::App& compare, Options& options) {
 }
 
 /// Adds `--explain`, which needs no case. Without a name it explains every measure.
-void add_explain(CLI::App& command, Options& options) {
+void add_explain(App& command, Options& options) {
   CLI::Option* file = command.get_option("file");
   command
       .add_option_function<std::string>(
@@ -98,7 +100,7 @@ void add_explain(CLI::App& command, Options& options) {
       ->expected(0, 1);
 }
 
-void add_study_options(CLI::App& study, Options& options) {
+void add_study_options(App& study, Options& options) {
   study.get_option("file")->required(false);  // `merge` takes none.
   add_threads(study, options);
   study
@@ -114,12 +116,12 @@ void add_study_options(CLI::App& study, Options& options) {
   add_restart(study, options, "Discard what an unfinished study left in DIR, and start again");
 }
 
-void add_optimize_options(CLI::App& optimize, Options& options) {
+void add_optimize_options(App& optimize, Options& options) {
   add_threads(optimize, options);
   add_restart(optimize, options, "Discard what an unfinished optimization left in DIR, and start again");
 }
 
-void add_configurations_options(CLI::App& command, Options& options) {
+void add_configurations_options(App& command, Options& options) {
   ConfigurationOptions& o = options.configurations;
   add_value(command, "--screw-diameter", o.screw_diameter, "LENGTH", "Pitch diameter, with its unit");
   add_value(command, "--nut-diameter", o.nut_diameter, "LENGTH",
@@ -141,12 +143,12 @@ void add_configurations_options(CLI::App& command, Options& options) {
   add_csv_options(command, options.csv);
 }
 
-void add_new(CLI::App& command, Options& options) {
+void add_new(App& command, Options& options) {
   add_new_options(command, options.new_case);
   add_quiet(command, options);
 }
 
-void add_page_options(CLI::App& command, Options& options, const char* output) {
+void add_page_options(App& command, Options& options, const char* output) {
   add_file(command, options)->required();
   add_set(command, options);
   add_value(command, "-o,--output", options.report, "FILE", output);
@@ -156,7 +158,7 @@ void add_page_options(CLI::App& command, Options& options, const char* output) {
                       "repeatable; default: the folder of the page"));
 }
 
-void add_report_options(CLI::App& command, Options& options) {
+void add_report_options(App& command, Options& options) {
   add_page_options(command, options, "Write the page into this file");
   add_flag(command, "--static", options.without_engine,
            "Leave the engine and the scripts out: a page for reading and printing alone");
@@ -165,19 +167,19 @@ void add_report_options(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
-void add_explore_options(CLI::App& command, Options& options) {
+void add_explore_options(App& command, Options& options) {
   add_page_options(command, options, "Write the page into this file; default: one in a folder for temporary files");
   add_quiet(command, options);
 }
 
-void add_workbench_options(CLI::App& command, Options& options) {
+void add_workbench_options(App& command, Options& options) {
   add_value(command, "file", options.file, "FILE", "A case or a requirement to start with");
   add_set(command, options);
   add_value(command, "-o,--output", options.report, "FILE", "Write the page into this file")->required();
   add_quiet(command, options);
 }
 
-void add_export_options(CLI::App& command, Options& options) {
+void add_export_options(App& command, Options& options) {
   ExportOptions& o = options.export_model;
   add_file(command, options)->required();
   add_set(command, options);
@@ -203,7 +205,7 @@ void add_export_options(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
-void add_size_options(CLI::App& command, Options& options) {
+void add_size_options(App& command, Options& options) {
   add_case_options(command, options);
   command.get_option("file")->description(
       "The requirement, a YAML file; `-` reads standard input. One to start from: "
@@ -221,13 +223,13 @@ void add_size_options(CLI::App& command, Options& options) {
       ->expected(2, 200);
 }
 
-void add_list_options(CLI::App& command, Options& options) {
+void add_list_options(App& command, Options& options) {
   take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
   add_value(command, "file", options.file, "FILE", "A case: lists only what it is complete for");
   add_json(command, options);
 }
 
-void add_schema_options(CLI::App& command, Options& options) {
+void add_schema_options(App& command, Options& options) {
   std::vector<std::string> schemas{"input", "results", "figures"};
   for (const OtherFile& file : other_files()) schemas.emplace_back(file.name);
   for (const std::string_view document : documented_commands()) schemas.emplace_back(document);
@@ -238,7 +240,7 @@ void add_schema_options(CLI::App& command, Options& options) {
   add_output_options(command, options);
 }
 
-void add_validate(CLI::App& command, Options&) {
+void add_validate(App& command, Options&) {
   static ValidateOptions unused;  // `run_validate` parses its own options.
   add_validate_options(command, unused);
 }
@@ -321,9 +323,9 @@ constexpr OwnRow kOwnRows[] = {
      "prs validate\nprs validate validation/sandu_2018 --json"},
 };
 
-CLI::App& add_command(Program& program, const std::string& name, const std::string& help, const char* group,
-                      const std::string& examples, std::function<int(const Options&)> run) {
-  CLI::App* command = program.app.add_subcommand(name, help);
+App& add_command(Program& program, const std::string& name, const std::string& help, const char* group,
+                 const std::string& examples, std::function<int(const Options&)> run) {
+  App* command = program.app.add_subcommand(name, help);
   command->group(group);
   command->footer(examples);
   command->callback([&program, command, run = std::move(run)] {
@@ -350,7 +352,7 @@ void add_case_commands(Program& program) {
                                                       "prs {0} case.yaml --json > {0}.json";
     std::function<int(const Options&)> run = [&row](const Options& o) { return run_case(row, o); };
     if (more.run != nullptr) run = more.run;
-    CLI::App& command =
+    App& command =
         add_command(program, word, std::string(row.help), more.group, fmt::format(fmt::runtime(examples), word), run);
     add_case_options(command, program.options);
     if (more.group == kAnalyse) add_explain(command, program.options);
@@ -360,7 +362,7 @@ void add_case_commands(Program& program) {
 }
 
 void add_merge(Program& program) {
-  CLI::App* merge = program.app.get_subcommand("study")->add_subcommand(
+  App* merge = program.app.get_subcommand("study")->add_subcommand(
       "merge", "Write the files of a study that was computed in shards");
   merge->group("Commands");
   merge->footer("prs study merge part1 part2 --output results");
@@ -380,10 +382,10 @@ void add_completion(Program& program) {
                                   : fish_completion(text));
     return kDone;
   };
-  CLI::App& command = add_command(program, "completion", "Print the completion script of a shell", kLook,
-                                  "source <(prs completion bash)\n"
-                                  "prs completion fish > ~/.config/fish/completions/prs.fish",
-                                  complete);
+  App& command = add_command(program, "completion", "Print the completion script of a shell", kLook,
+                             "source <(prs completion bash)\n"
+                             "prs completion fish > ~/.config/fish/completions/prs.fish",
+                             complete);
   take_one_of(command.add_option("shell", program.options.what, "Of which shell")->required(), {"bash", "zsh", "fish"});
 }
 
@@ -405,8 +407,8 @@ void add_manual(Program& program) {
     write_files(options.pages, pages);
     return kDone;
   };
-  CLI::App& command = add_command(program, "manual", "Print the manual page of a command, for `man -l`", kLook,
-                                  "prs manual solve | man -l -\nprs manual --output share/man/man1", manual);
+  App& command = add_command(program, "manual", "Print the manual page of a command, for `man -l`", kLook,
+                             "prs manual solve | man -l -\nprs manual --output share/man/man1", manual);
   add_value(command, "command", program.options.words, "COMMAND", "The program itself without one");
   add_value(command, "-o,--output", program.options.pages, "DIR",
             "Write the page and those of its commands into this folder");
@@ -419,8 +421,8 @@ void add_help(Program& program) {
     print(options.json ? json_text(help_json(command)) : help_text(command));
     return kDone;
   };
-  CLI::App& command = add_command(program, "help", "Say what a command does, with its options", kLook,
-                                  "prs help solve\nprs help study merge", help);
+  App& command = add_command(program, "help", "Say what a command does, with its options", kLook,
+                             "prs help solve\nprs help study merge", help);
   add_value(command, "command", program.options.words, "COMMAND", "All commands without one");
   add_json(command, program.options);
 }
@@ -436,7 +438,7 @@ std::string citation() {
 }  // namespace
 
 void add_commands(Program& program) {
-  CLI::App& app = program.app;
+  App& app = program.app;
   app.set_help_flag("-h,--help", "Print this help");
   const std::string about_citation = "With --version: print how to cite this version, as BibTeX";
   CLI::Option* cite = app.add_flag("--cite", about_citation);

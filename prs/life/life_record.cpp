@@ -17,41 +17,20 @@ struct DirectionLife {
   const FlankLife* flank = nullptr;
 };
 
-struct WeakestLife {
+/// A part of the document of lives.
+struct PartOfLife {
   const LifeResult* life = nullptr;
 };
 
-struct LifeAtRest {
-  const LifeResult* life = nullptr;
-};
-
-struct Modified {
-  const LifeResult* life = nullptr;
-};
-
-struct LifeWithBearings {
-  const LifeResult* life = nullptr;
-};
-
-struct BearingLives {
-  const LifeResult* life = nullptr;
-};
-
-struct FixedBearing {
-  const LifeResult* life = nullptr;
-};
-
-struct Capacity {
-  const LifeResult* life = nullptr;
-};
-
-struct Loads {
-  const LifeResult* life = nullptr;
-};
-
-struct Cycles {
-  const LifeResult* life = nullptr;
-};
+struct WeakestLife : PartOfLife {};
+struct LifeAtRest : PartOfLife {};
+struct Modified : PartOfLife {};
+struct LifeWithBearings : PartOfLife {};
+struct BearingLives : PartOfLife {};
+struct FixedBearing : PartOfLife {};
+struct Capacity : PartOfLife {};
+struct Loads : PartOfLife {};
+struct Cycles : PartOfLife {};
 
 }  // namespace
 
@@ -222,12 +201,15 @@ constexpr Quantity<Modified> kModified[] = {
 };
 
 template <auto get>
+constexpr auto of_life = of<[](const PartOfLife& part) { return std::invoke(get, *part.life); }>;
+
+template <auto get>
 constexpr auto of_lemor =
     of<[](auto& c) { return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt; }>;
 
 constexpr Quantity<Capacity> kCapacity[] = {
-    {"dynamic_capacity_N", of<[](auto& c) { return c.life->dynamic_capacity; }>,
-     "C_a; life.dynamic_capacity where stated", kLemorCapacity},
+    {"dynamic_capacity_N", of_life<&LifeResult::dynamic_capacity>, "C_a; life.dynamic_capacity where stated",
+     kLemorCapacity},
     {"dynamic_capacity_range_N", of<[](auto& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
      "docs/life.md"},
     {"source", of<[](auto& c) { return c.life->lemor ? "lemor" : "given"; }>, "lemor | given", "",
@@ -238,15 +220,15 @@ constexpr Quantity<Capacity> kCapacity[] = {
     {"diameter_ratio", of_lemor<&LemorCapacity::ratio>, "d_r cos(alpha)/d_n", kLemorCapacity},
     {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>, "diameter of the equivalent ball",
      kLemorCapacity},
-    {"failure_share", of<[](auto& c) { return c.life->failure_shares; }>,
+    {"failure_share", of_life<&LifeResult::failure_shares>,
      "share of each interface in the failures under equal loads"},
-    {"roller_failure_share", of<[](auto& c) { return c.life->roller_shares; }>,
+    {"roller_failure_share", of_life<&LifeResult::roller_shares>,
      "part of the rollers in the failures of each interface; of a full mechanism", "Lundberg and Palmgren"},
-    {"static_capacity_equal_shares_N", of<[](auto& c) { return c.life->equal_shares_static_capacity; }>,
+    {"static_capacity_equal_shares_N", of_life<&LifeResult::equal_shares_static_capacity>,
      "force at which equal thread loads have the peak pressure of 4.0 GPa, of steel, or of "
      "materials.static_pressure_limit",
      "ISO 76:2006", "static capacity, equal thread loads"},
-    {"flank_edge_load_equal_shares_N", of<[](auto& c) { return c.life->equal_shares_flank_edge_load; }>,
+    {"flank_edge_load_equal_shares_N", of_life<&LifeResult::equal_shares_flank_edge_load>,
      "force at which ellipses of equal loads reach a crest or root", source::kHertz,
      "load at which edge loading begins, equal thread loads"},
     {"static_capacity_given_N", of<[](auto& c) { return c.life->life.static_capacity; }>, "life.static_capacity"},
@@ -299,9 +281,9 @@ constexpr Quantity<Loads> kLoads[] = {
        return r.revolutions * std::abs(r.contacts.mechanism.lead);
      }>,
      "of one pass"},
-    {"duration_h", of<[](auto& l) { return l.life->duration; }>, "of one pass"},
-    {"mean_load_N", of<[](auto& l) { return l.life->mean_load; }>, "cubic mean over the revolutions", kPalmgrenMean},
-    {"largest_force_N", of<[](auto& l) { return l.life->largest_force; }>, "of either direction"},
+    {"duration_h", of_life<&LifeResult::duration>, "of one pass"},
+    {"mean_load_N", of_life<&LifeResult::mean_load>, "cubic mean over the revolutions", kPalmgrenMean},
+    {"largest_force_N", of_life<&LifeResult::largest_force>, "of either direction"},
 };
 
 constexpr Quantity<CycleMatrix> kCycleMatrix[] = {
@@ -331,6 +313,11 @@ bool converged(const LifeResult& r) { return r.converged(); }
 template <auto get>
 constexpr auto life_at = of<[](auto& r) { return in_use(r, std::invoke(get, r)); }, converged>;
 
+/// A part of results that have this value.
+template <class Part, auto value, auto guard = nullptr>
+constexpr auto part_with =
+    of<[](const LifeResult& r) { return std::invoke(value, r) ? std::optional(Part{{&r}}) : std::nullopt; }, guard>;
+
 template <Direction d>
 constexpr auto flank_of = of<[](auto& r) {
   return r.flanks[d] ? std::optional(DirectionLife{&r, &*r.flanks[d]}) : std::nullopt;
@@ -356,27 +343,23 @@ constexpr Quantity<LifeResult> kLife[] = {
      "ISO 281:2007"},
     {"capacity", of<[](auto& r) { return Capacity{&r}; }>, "of the mechanism"},
     {"loads", of<[](auto& r) { return Loads{&r}; }>, "of the history or the spectrum"},
-    {"cycles", of<[](auto& r) { return r.cycles ? std::optional(Cycles{&r}) : std::nullopt; }>,
-     "counted from a history (rainflow)"},
+    {"cycles", part_with<Cycles, &LifeResult::cycles>, "counted from a history (rainflow)"},
     {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads", "", "life of the mechanism"},
-    {"static", of<[](auto& r) { return r.life_at_rest ? std::optional(LifeAtRest{&r}) : std::nullopt; }, converged>,
+    {"static", part_with<LifeAtRest, &LifeResult::life_at_rest, converged>,
      "the same on the loads of a screw at rest; where thread_loads is running"},
     {"equal_shares", life_at<&LifeResult::equal_shares_life>, "of the mechanism, equal thread loads", "",
      "life with equal thread loads"},
     {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "", "life by the catalogue's formula"},
-    {"bearings", of<[](auto& r) { return r.bearing ? std::optional(BearingLives{&r}) : std::nullopt; }>,
-     "at the ends of the shaft; with bearings"},
-    {"system_with_bearings",
-     of<[](auto& r) { return r.bearing_life() ? std::optional(LifeWithBearings{&r}) : std::nullopt; }, converged>,
+    {"bearings", part_with<BearingLives, &LifeResult::bearing>, "at the ends of the shaft; with bearings"},
+    {"system_with_bearings", part_with<LifeWithBearings, &LifeResult::bearing_life, converged>,
      "of screw, by the catalogue where its capacity is stated, and bearings"},
     {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions", "ISO 76",
      "static safety under the loads of the life"},
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>, "pressure | given", "",
      "what limits the static safety"},
-    {"modified", of<[](auto& r) { return r.modified ? std::optional(Modified{&r}) : std::nullopt; }, converged>,
+    {"modified", part_with<Modified, &LifeResult::modified, converged>,
      "with film and contamination; where life.contamination is stated"},
-    {"weakest_thread", of<[](auto& r) { return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt; }, converged>,
-     "that fails first"},
+    {"weakest_thread", part_with<WeakestLife, &LifeResult::weakest, converged>, "that fails first"},
     {"tension", flank_of<Direction::tension>, "flanks that carry tension"},
     {"compression", flank_of<Direction::compression>, "flanks that carry compression"},
 };

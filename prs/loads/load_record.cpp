@@ -350,6 +350,14 @@ std::optional<std::string> reason_of(const std::string& reason) {
   return reason.empty() ? std::nullopt : std::optional(reason);
 }
 
+template <auto member>
+constexpr auto in_celsius = [](auto& r) { return celsius_of(r.*member); };
+template <auto member>
+constexpr auto in_celsius_if = [](auto& r) {
+  const auto& temperature = r.*member;
+  return temperature ? std::optional(celsius_of(*temperature)) : std::nullopt;
+};
+
 template <auto get>
 constexpr auto balanced = of<get, &HeatResult::converged>;
 
@@ -360,8 +368,8 @@ constexpr Quantity<HeatResult> kHeat[] = {
     {"evaluations", of<&HeatResult::evaluations>, "of the losses at temperatures", "", "", "", "", Reach::document},
     {"other_steady_states", balanced<&HeatResult::others>,
      "whether hotter ones exist; this one is reached from ambient temperature"},
-    {"temperature_degC", balanced<[](const HeatResult& r) { return celsius_of(r.temperature); }>, "of each part"},
-    {"oil_degC", balanced<[](const HeatResult& r) { return r.oil ? std::optional(celsius_of(*r.oil)) : std::nullopt; }>,
+    {"temperature_degC", balanced<in_celsius<&HeatResult::temperature>>, "of each part"},
+    {"oil_degC", balanced<in_celsius_if<&HeatResult::oil>>,
      "at the contacts of each interface: the mean of its two bodies; needs a lubricant"},
     {"heat_W", balanced<[](const HeatResult& r) {
        return PartNumbers{r.heat.screw, r.heat.roller, r.heat.nut};
@@ -382,22 +390,18 @@ constexpr Quantity<HeatCycle> kHeatCycle[] = {
     {"cycles", of<[](const HeatCycle& r) { return r.is_mission() ? std::optional(r.cycles) : std::nullopt; }>,
      "of the mission; with heat.cycles"},
     {"time_s", of<&HeatCycle::time, has_course>, "from the start of the cycle, or of the mission, to its end"},
-    {"temperature_degC", of<[](const HeatCycle& r) { return celsius_of(r.temperature); }, has_course>,
-     "of each part at these times"},
-    {"start_degC",
-     periodic<[](const HeatCycle& r) { return r.start ? std::optional(celsius_of(*r.start)) : std::nullopt; }>,
+    {"temperature_degC", of<in_celsius<&HeatCycle::temperature>, has_course>, "of each part at these times"},
+    {"start_degC", periodic<in_celsius_if<&HeatCycle::start>>,
      "of each part at the start of the mission; with heat.cycles"},
-    {"end_degC", periodic<[](const HeatCycle& r) { return r.end ? std::optional(celsius_of(*r.end)) : std::nullopt; }>,
-     "of each part at its end"},
+    {"end_degC", periodic<in_celsius_if<&HeatCycle::end>>, "of each part at its end"},
     {"time_to_limit_s", of<[](const HeatCycle& r) -> std::optional<PartTimes> {
        const auto& t = r.time_to_limit;
        if (!t.screw && !t.roller && !t.nut) return std::nullopt;
        return PartTimes{t.screw, t.roller, t.nut};
      }>,
      "until parts first reach limits.temperature in the mission"},
-    {"peak_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.peak); }>, "largest of each part"},
-    {"mean_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.mean); }>,
-     "of each part over the cycle or the mission"},
+    {"peak_degC", periodic<in_celsius<&HeatCycle::peak>>, "largest of each part"},
+    {"mean_degC", periodic<in_celsius<&HeatCycle::mean>>, "of each part over the cycle or the mission"},
     {"energy_in_J", periodic<&HeatCycle::energy_in>,
      "that shaft and load bring in while they drive, per cycle or mission"},
     {"energy_lost_J", periodic<&HeatCycle::energy_lost>, "to friction, per cycle or mission"},

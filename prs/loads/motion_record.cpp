@@ -164,12 +164,18 @@ struct StrainOf : ModeOf {};
 struct RollerShapeOf : ModeOf {};
 struct ShapeOf : ModeOf {};
 
+template <auto member>
+constexpr auto of_mode = of<[](const ModeOf& m) { return (*m.mode).*member; }>;
+
+template <class Part>
+constexpr auto part_of_mode = of<[](const ModeOf& m) { return Part{m}; }>;
+
 constexpr Quantity<KineticOf> kKinetic[] = {
     {"screw", of<[](const ModeOf& m) { return m.mode->kinetic.screw; }>, "of the screw"},
     {"nut", of<[](const ModeOf& m) { return m.mode->kinetic.nut; }>, "of the nut"},
     {"rollers", of<[](const ModeOf& m) { return m.mode->kinetic.roller; }>,
      "of the rollers, also as they orbit and spin"},
-    {"masses", of<[](const ModeOf& m) { return m.mode->kinetic_of_masses; }>, "of masses and drive"},
+    {"masses", of_mode<&Mode::kinetic_of_masses>, "of masses and drive"},
 };
 
 constexpr Quantity<StrainOf> kStrain[] = {
@@ -179,7 +185,7 @@ constexpr Quantity<StrainOf> kStrain[] = {
     {"screw_contacts", of<[](const ModeOf& m) { return m.mode->contact_strain.screw; }>,
      "of the contacts at the screw"},
     {"nut_contacts", of<[](const ModeOf& m) { return m.mode->contact_strain.nut; }>, "of the contacts at the nut"},
-    {"supports", of<[](const ModeOf& m) { return m.mode->support_strain; }>, "of springs of supports, rings and drive"},
+    {"supports", of_mode<&Mode::support_strain>, "of springs of supports, rings and drive"},
     {"prestress",
      of<[](const ModeOf& m) { return m.all->prestressed ? std::optional(m.mode->prestress) : std::nullopt; }>,
      "of axial forces in bending; < 0 in compression"},
@@ -196,8 +202,8 @@ constexpr Quantity<BodyShape> kBodyShape[] = {
 };
 
 constexpr Quantity<RollerShapeOf> kRollerShape[] = {
-    {"axial", of<[](const ModeOf& m) { return m.mode->axial; }>, "of the middle of each roller"},
-    {"radial", of<[](const ModeOf& m) { return m.mode->radial; }>, "of the middle of each roller"},
+    {"axial", of_mode<&Mode::axial>, "of the middle of each roller"},
+    {"radial", of_mode<&Mode::radial>, "of the middle of each roller"},
 };
 
 template <Interface i>
@@ -208,17 +214,16 @@ constexpr auto body_shape = of<[](const ModeOf& m) {
 constexpr Quantity<ShapeOf> kShape[] = {
     {"screw", body_shape<Interface::screw>, "of the screw"},
     {"nut", body_shape<Interface::nut>, "of the nut"},
-    {"rollers", of<[](const ModeOf& m) { return RollerShapeOf{m}; }>, "of the rollers"},
+    {"rollers", part_of_mode<RollerShapeOf>, "of the rollers"},
 };
 
 constexpr Quantity<ModeOf> kMode[] = {
-    {"frequency_Hz", of<[](const ModeOf& m) { return m.mode->frequency; }>, "natural frequency"},
+    {"frequency_Hz", of_mode<&Mode::frequency>, "natural frequency"},
     {"effective_mass_kg", of<[](const ModeOf& m) { return axes_of(m.mode->effective_mass); }>,
      "what takes part along each axis"},
-    {"kinetic_energy_percent", of<[](const ModeOf& m) { return KineticOf{m}; }>, "shares of the parts"},
-    {"strain_energy_percent", of<[](const ModeOf& m) { return StrainOf{m}; }>,
-     "shares of parts, contacts and supports"},
-    {"shape", of<[](const ModeOf& m) { return ShapeOf{m}; }>, "scaled so that its largest number is 1"},
+    {"kinetic_energy_percent", part_of_mode<KineticOf>, "shares of the parts"},
+    {"strain_energy_percent", part_of_mode<StrainOf>, "shares of parts, contacts and supports"},
+    {"shape", part_of_mode<ShapeOf>, "scaled so that its largest number is 1"},
     {"critical_speed_rpm", of<[](const ModeOf& m) {
        return each(m.all->orders,
                    [&](const MotionOrder& o) { return 2.0 * std::numbers::pi * m.mode->frequency / o.order; });

@@ -11,6 +11,10 @@
 namespace prs {
 namespace {
 
+using Eigen::VectorXd;
+using fe::Equations;
+using fe::State;
+
 using fe::Dof;
 
 /// Approach of a spring, in centre distances, beyond which nothing holds the load.
@@ -69,7 +73,7 @@ fe::NewtonOptions newton_options(const FullModel& f) {
 /// A solved state and all results derived from it.
 class Solution {
  public:
-  Solution(const FullModel& f, const FullStructure& s, const fe::Equations& equations, const fe::State& q)
+  Solution(const FullModel& f, const FullStructure& s, const Equations& equations, const State& q)
       : f_(f), s_(s), equations_(equations), q_(q) {
     const std::vector<double> elastic = equations.nodal_forces(q);
     needed_.assign(static_cast<std::size_t>(s.model.nodes) * fe::kDofsPerNode, 0.0);
@@ -203,13 +207,13 @@ class Solution {
 
   const FullModel& f_;
   const FullStructure& s_;
-  const fe::Equations& equations_;
-  const fe::State& q_;
+  const Equations& equations_;
+  const State& q_;
   std::vector<double> needed_;  ///< External force that each freedom needs for equilibrium.
 };
 
 /// Condenses K and B'tB to the freedoms of the loaded section; false if K is singular to rounding.
-bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations, fe::NewtonSolver& solver,
+bool condense(const FullModel& f, const FullStructure& s, const Equations& equations, fe::NewtonSolver& solver,
               const Linearised& linear, double near, FullDistribution& d) {
   const SpatialNode& end = item_at(s.screw, s.loaded);
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
@@ -217,7 +221,7 @@ bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
                                             {end.z_plane, Dof::v, 1.0},
                                             {end.z_plane, Dof::theta, -1.0},
                                             {end.y_plane, Dof::theta, 1.0}}};
-  std::vector<Eigen::VectorXd> loads;
+  std::vector<VectorXd> loads;
   for (int k = 0; k < 5; ++k) {
     const fe::NodalLoad& unit = item_at(units, k);
     const int n = equations.number(unit.node, unit.dof);
@@ -225,7 +229,7 @@ bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
     d.screw_end.freedoms.push_back(k);
     loads.push_back(equations.load_vector({unit}));
   }
-  std::vector<Eigen::VectorXd> rates;
+  std::vector<VectorXd> rates;
   if (!solver.solve_linear(linear.tangent, loads, rates, near)) {
     d.screw_end.freedoms.clear();
     return false;
@@ -258,7 +262,7 @@ FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rolle
 struct Assembled {
   explicit Assembled(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
 
-  fe::Equations equations;
+  Equations equations;
   fe::NewtonSolver newton;
 };
 
@@ -272,9 +276,8 @@ Assembled& take(const fe::Model& model, std::unique_ptr<Assembled>& kept) {
 }
 
 /// Adds the compliance, unless the loaded threads alone leave a motion free.
-void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-                    fe::NewtonSolver& solver, std::unique_ptr<Assembled>& kept_pinned, double near,
-                    FullDistribution& d) {
+void add_compliance(const FullModel& f, const FullStructure& s, const Equations& equations, fe::NewtonSolver& solver,
+                    std::unique_ptr<Assembled>& kept_pinned, double near, FullDistribution& d) {
   const Linearised linear = linearised(f, d);
   const auto with_near_nodes_joined = [&] {
     const FullStructure joined =
@@ -344,7 +347,7 @@ std::optional<FullDistribution> mechanism(const FullModel& f, const FullStructur
 struct FullSolver::Parts {
   struct Solved {
     double force;  ///< Force along the axis, tension < 0 [N].
-    fe::State state;
+    State state;
   };
 
   std::unique_ptr<Assembled> assembled = {};
@@ -352,10 +355,10 @@ struct FullSolver::Parts {
   std::vector<Solved> last = {};           ///< Earlier solutions, the latest at the end.
 
   /// State with the smallest residual.
-  fe::State best(std::vector<fe::State> candidates, const Eigen::VectorXd& load) const {
-    const fe::Equations& equations = assembled->equations;
-    Eigen::VectorXd residual(equations.size());
-    const auto left = [&](const fe::State& state) {
+  State best(std::vector<State> candidates, const VectorXd& load) const {
+    const Equations& equations = assembled->equations;
+    VectorXd residual(equations.size());
+    const auto left = [&](const State& state) {
       equations.energy_and_residual(state, load, residual);
       return residual.cwiseAbs().maxCoeff();
     };
@@ -363,14 +366,14 @@ struct FullSolver::Parts {
   }
   /// State with the smallest residual among the latest one, those with the next forces below and above, and
   /// interpolations between them. None if there is no state.
-  std::optional<fe::State> nearest(double force, const Eigen::VectorXd& load) const {
+  std::optional<State> nearest(double force, const VectorXd& load) const {
     if (last.empty()) return std::nullopt;
     const Solved *below = nullptr, *above = nullptr;
     for (const Solved& s : last) {
       if (s.force <= force && (!below || s.force > below->force)) below = &s;
       if (s.force > force && (!above || s.force < above->force)) above = &s;
     }
-    std::vector<fe::State> candidates{last.back().state};
+    std::vector<State> candidates{last.back().state};
     for (const Solved* s : {below, above})
       if (s) candidates.push_back(s->state);
     if (below && above) {
@@ -382,15 +385,15 @@ struct FullSolver::Parts {
   }
   /// The last state, or an extrapolation by a line or a parabola through the last ones, whichever has the smallest
   /// residual.
-  std::optional<fe::State> onwards(const Eigen::VectorXd& load) const {
+  std::optional<State> onwards(const VectorXd& load) const {
     const std::size_t n = last.size();
     if (n == 0) return std::nullopt;
-    std::vector<fe::State> candidates{last[n - 1].state};
-    const auto ahead = [&](const Eigen::VectorXd& step) {
+    std::vector<State> candidates{last[n - 1].state};
+    const auto ahead = [&](const VectorXd& step) {
       candidates.push_back(last[n - 1].state);
       candidates.back().set_to_step(last[n - 1].state, -1.0, step);
     };
-    const auto change = [&](std::size_t k) -> Eigen::VectorXd {
+    const auto change = [&](std::size_t k) -> VectorXd {
       return (last[n - k].state.head - last[n - k - 1].state.head) +
              (last[n - k].state.tail - last[n - k - 1].state.tail);
     };
@@ -399,7 +402,7 @@ struct FullSolver::Parts {
     if (n > 3) ahead(3.0 * (change(1) - change(2)) + change(3));
     return best(std::move(candidates), load);
   }
-  void keep(double force, const fe::State& state) {
+  void keep(double force, const State& state) {
     constexpr std::size_t kFewest = 8, kNumbers = 4'000'000;
     const auto size = static_cast<std::size_t>(std::max(1, assembled->equations.size()));
     if (last.size() >= std::max(kFewest, kNumbers / size)) last.erase(last.begin());
@@ -424,17 +427,17 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const Assembled* before = parts_->assembled.get();
   take(s.model, parts_->assembled);
   if (parts_->assembled.get() != before) parts_->last.clear();
-  const fe::Equations& equations = parts_->assembled->equations;
+  const Equations& equations = parts_->assembled->equations;
   fe::NewtonSolver& solver = parts_->assembled->newton;
   d.freedoms = equations.size();
-  fe::State q;
-  const Eigen::VectorXd load = equations.load_vector(s.loads);
+  State q;
+  const VectorXd load = equations.load_vector(s.loads);
   const double force = f.sense() * f.axial_force;
   const auto from_linear = [&] {
     if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
-      q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits than this start.
+      q = State(VectorXd::Zero(equations.size()));  // The solver has more digits than this start.
   };
-  if (std::optional<fe::State> near = goes_on ? parts_->onwards(load) : parts_->nearest(force, load))
+  if (std::optional<State> near = goes_on ? parts_->onwards(load) : parts_->nearest(force, load))
     q = std::move(*near);
   else
     from_linear();

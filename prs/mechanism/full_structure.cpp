@@ -12,6 +12,9 @@
 namespace prs {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 using fe::Dof;
 using fe::LinearForm;
 
@@ -444,7 +447,7 @@ class Motions {
   }
   /// Adds the values of a form on every motion.
   template <class RowOf>
-  void add(const fe::LinearForm& form, RowOf row) const {
+  void add(const LinearForm& form, RowOf row) const {
     for (const fe::Term& t : form)
       for (const auto& [motion, value] : at(t.node, t.dof)) row[motion] += t.coefficient * value;
   }
@@ -478,8 +481,8 @@ class Motions {
 };
 
 /// Rows of bilateral forces: constraints, supports and springs.
-std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
-  std::vector<fe::LinearForm> forms;
+std::vector<LinearForm> bilateral(const fe::Model& model) {
+  std::vector<LinearForm> forms;
   for (const fe::Constraint& c : model.constraints) {
     forms.push_back(c.form);
     forms.back().push_back({c.node, c.dof, -1.0});
@@ -491,56 +494,54 @@ std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
   return forms;
 }
 
-Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearForm>& forms) {
-  Eigen::MatrixXd rows =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(forms.size()), static_cast<Eigen::Index>(motions.count()));
-  for (const auto i : indices(forms)) motions.add(forms[i], rows.row(static_cast<Eigen::Index>(i)));
+MatrixXd rows_over(const Motions& motions, const std::vector<LinearForm>& forms) {
+  MatrixXd rows = MatrixXd::Zero(static_cast<Index>(forms.size()), static_cast<Index>(motions.count()));
+  for (const auto i : indices(forms)) motions.add(forms[i], rows.row(static_cast<Index>(i)));
   return rows;
 }
 
 /// Rows that are not zero, scaled to norm one.
-Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
-  Eigen::MatrixXd units(rows.rows(), rows.cols());
-  Eigen::Index count = 0;
-  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+MatrixXd unit_rows(const MatrixXd& rows) {
+  MatrixXd units(rows.rows(), rows.cols());
+  Index count = 0;
+  for (Index i = 0; i < rows.rows(); ++i)
     if (const double norm = rows.row(i).norm(); norm > 0.0) units.row(count++) = rows.row(i) / norm;
   return units.topRows(count);
 }
 
 /// Whether the smallest singular value of a triangle is above kNoResistance times the largest, by
 /// 1/|R^-1| and |R| in Frobenius' norm, which bound them; far cheaper than the values.
-bool surely_regular(const Eigen::MatrixXd& r) {
-  const Eigen::MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
+bool surely_regular(const MatrixXd& r) {
+  const MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(r.rows(), r.cols()));
   return kNoResistance * r.norm() * inverse.norm() < 1.0;  // false with NaN and infinity.
 }
 
 /// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23); returns the
 /// remaining part of b.
-Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+VectorXd left_by_pushing(const MatrixXd& a, const VectorXd& b) {
   const double small = 1e-12 * b.norm();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
-  std::vector<Eigen::Index> pushing;
+  VectorXd x = VectorXd::Zero(a.cols());
+  std::vector<Index> pushing;
   const auto solved = [&] {
-    Eigen::MatrixXd columns(a.rows(), static_cast<Eigen::Index>(pushing.size()));
-    for (const auto k : indices(pushing)) columns.col(static_cast<Eigen::Index>(k)) = a.col(pushing[k]);
-    return Eigen::VectorXd(columns.colPivHouseholderQr().solve(b));
+    MatrixXd columns(a.rows(), static_cast<Index>(pushing.size()));
+    for (const auto k : indices(pushing)) columns.col(static_cast<Index>(k)) = a.col(pushing[k]);
+    return VectorXd(columns.colPivHouseholderQr().solve(b));
   };
-  for (Eigen::Index step = 0; step < 3 * a.cols(); ++step) {
-    const Eigen::VectorXd left = b - a * x;
-    Eigen::VectorXd gain = a.transpose() * left;
-    for (const Eigen::Index k : pushing) gain[k] = 0.0;
-    Eigen::Index best = 0;
+  for (Index step = 0; step < 3 * a.cols(); ++step) {
+    const VectorXd left = b - a * x;
+    VectorXd gain = a.transpose() * left;
+    for (const Index k : pushing) gain[k] = 0.0;
+    Index best = 0;
     if (left.norm() <= small || gain.maxCoeff(&best) <= 1e-10 * b.norm()) return left;
     pushing.push_back(best);
-    for (Eigen::VectorXd wanted = solved();; wanted = solved()) {
+    for (VectorXd wanted = solved();; wanted = solved()) {
       double length = 1.0;
       for (const auto k : indices(pushing))
-        if (const double to = wanted[static_cast<Eigen::Index>(k)]; to <= 0.0)
+        if (const double to = wanted[static_cast<Index>(k)]; to <= 0.0)
           length = std::min(length, x[pushing[k]] / std::max(x[pushing[k]] - to, 1e-300));
-      for (const auto k : indices(pushing))
-        x[pushing[k]] += length * (wanted[static_cast<Eigen::Index>(k)] - x[pushing[k]]);
+      for (const auto k : indices(pushing)) x[pushing[k]] += length * (wanted[static_cast<Index>(k)] - x[pushing[k]]);
       if (length == 1.0) break;
-      std::erase_if(pushing, [&](Eigen::Index k) {
+      std::erase_if(pushing, [&](Index k) {
         if (x[k] > 1e-14 * x.maxCoeff()) return false;
         x[k] = 0.0;
         return true;
@@ -570,14 +571,14 @@ const RollerSection<double>& section_at(const std::vector<BodyPiece>& pieces, do
 
 double load_left(const FullModel& f, const FullStructure& s) {
   const Motions motions(f, s);
-  std::vector<fe::LinearForm> contacts;
+  std::vector<LinearForm> contacts;
   for (const fe::FormSpring& spring : s.model.form_springs) contacts.push_back(spring.approach);
-  fe::LinearForm& load = contacts.emplace_back();  // The load is the last column.
+  LinearForm& load = contacts.emplace_back();  // The load is the last column.
   for (const fe::NodalLoad& l : s.loads) load.push_back({l.node, l.dof, l.value / f.axial_force});
-  Eigen::MatrixXd push = rows_over(motions, contacts).transpose();
+  MatrixXd push = rows_over(motions, contacts).transpose();
 
   // Loads that guides and bearings can take are excluded: only the complement of their range counts.
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows_over(motions, bilateral(s.model)).transpose());
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows_over(motions, bilateral(s.model)).transpose());
   push.applyOnTheLeft(qr.householderQ().adjoint());
   const auto rest = push.bottomRows(push.rows() - qr.rank());
   return left_by_pushing(rest.leftCols(rest.cols() - 1), rest.rightCols<1>()).norm();
@@ -600,7 +601,7 @@ std::optional<double> holding_force(const FullModel& model) {
 
 FreeMotions free_motions(const FullModel& f, const FullStructure& s, const std::vector<bool>& closed) {
   const Motions motions(f, s);
-  std::vector<fe::LinearForm> forms = bilateral(s.model);
+  std::vector<LinearForm> forms = bilateral(s.model);
   const auto is_closed = [&](int spring) { return closed.empty() || item_at(closed, spring); };
   const auto add = [&](int spring) { forms.push_back(item_at(s.model.form_springs, spring).approach); };
   // Rows of a roller are linear in x: any two span those between them.
@@ -614,19 +615,18 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s, const std::
     }
   for (const FullStructure::Guide& guide : s.guides)
     if (guide.stop >= 0 && (is_closed(guide.stop) || is_closed(guide.stop + 1))) add(guide.stop);
-  const Eigen::MatrixXd rows = unit_rows(rows_over(motions, forms));
-  const Eigen::Index count = std::min(rows.rows(), rows.cols());
-  Eigen::MatrixXd r = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());
-  r.topRows(count) =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(rows).matrixQR().topRows(count).triangularView<Eigen::Upper>();
+  const MatrixXd rows = unit_rows(rows_over(motions, forms));
+  const Index count = std::min(rows.rows(), rows.cols());
+  MatrixXd r = MatrixXd::Zero(rows.cols(), rows.cols());
+  r.topRows(count) = Eigen::HouseholderQR<MatrixXd>(rows).matrixQR().topRows(count).triangularView<Eigen::Upper>();
   if (surely_regular(r)) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(r, Eigen::ComputeFullV);
-  const Eigen::VectorXd& sizes = svd.singularValues();
+  const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(r, Eigen::ComputeFullV);
+  const VectorXd& sizes = svd.singularValues();
   FreeMotions free;
-  for (Eigen::Index m = 0; m < svd.matrixV().cols(); ++m) {
+  for (Index m = 0; m < svd.matrixV().cols(); ++m) {
     if (sizes[m] > kNoResistance * sizes[0]) continue;
     ++free.count;
-    const Eigen::VectorXd motion = svd.matrixV().col(m);
+    const VectorXd motion = svd.matrixV().col(m);
     for (int part = 0; part < motions.count(); ++part)
       if (std::abs(motion[part]) > 1e-6 && !contains(free.parts, motions.part(part)))
         free.parts.push_back(motions.part(part));

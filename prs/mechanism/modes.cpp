@@ -14,6 +14,10 @@
 namespace prs {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
 using fe::Dof;
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -28,7 +32,7 @@ struct Freedom {
 struct Quadratic {
   Share share;
   std::vector<Freedom> freedoms;
-  Eigen::MatrixXd matrix;
+  MatrixXd matrix;
 };
 
 Eigen::Matrix4d hermite(double a, double b, double c, double d, double e, double f, double l) {
@@ -119,7 +123,7 @@ class Vibration {
       s_.model.fixed_supports.push_back({held, Dof::u});
     else
       s_.model.elastic_supports.push_back({held, Dof::u, drive.stiffness});
-    add_point(Share::masses, {{held, Dof::u}}, Eigen::VectorXd::Ones(1), drive.inertia);
+    add_point(Share::masses, {{held, Dof::u}}, VectorXd::Ones(1), drive.inertia);
 
     const Interface along = sliding_interface(v_.mechanism.type);
     const double advance = v_.mechanism.lead / (2.0 * std::numbers::pi);
@@ -133,7 +137,7 @@ class Vibration {
         const int node = twist_at(f_.present[r].contact_x[k]);
         item_at(s_.model.form_springs, s_.rollers[r].spring(along, k))
             .approach.push_back({node, Dof::u, -f_.sense() * f_.sector.cosine[along] * advance});
-        add_point(Share::roller, {{node, Dof::u}}, Eigen::VectorXd::Ones(1), inertia);
+        add_point(Share::roller, {{node, Dof::u}}, VectorXd::Ones(1), inertia);
       }
   }
   int twist_at(double x) const { return item_at(twist_, &at(s_.screw, x) - s_.screw.data()); }
@@ -148,7 +152,7 @@ class Vibration {
   double roller_inertia() const { return 2.0 * over_roller(f_.sector.thread.bending, f_.sector.end.bending); }
 
   /// Adds mass (form q)^2.
-  void add_point(Share share, std::vector<Freedom> freedoms, const Eigen::VectorXd& form, double mass) {
+  void add_point(Share share, std::vector<Freedom> freedoms, const VectorXd& form, double mass) {
     if (mass > 0.0) masses_.push_back({share, std::move(freedoms), mass * form * form.transpose()});
   }
 
@@ -220,8 +224,8 @@ class Vibration {
         freedoms.insert(freedoms.end(), {{seat->y_plane, Dof::v}, {seat->z_plane, Dof::v}});
       if (const int offset = s_.rings[ring]; offset >= 0)
         freedoms.insert(freedoms.end(), {{offset, Dof::u}, {offset, Dof::v}});
-      Eigen::VectorXd across(static_cast<Eigen::Index>(freedoms.size()));
-      for (Eigen::Index i = 0; i < across.size(); ++i) across[i] = i % 2 == 0 ? -std::sin(azimuth) : std::cos(azimuth);
+      VectorXd across(static_cast<Index>(freedoms.size()));
+      for (Index i = 0; i < across.size(); ++i) across[i] = i % 2 == 0 ? -std::sin(azimuth) : std::cos(azimuth);
       add_point(Share::roller, freedoms, across, freedoms.empty() ? 0.0 : 0.5 * roller_mass());
     }
   }
@@ -237,7 +241,7 @@ class Vibration {
     const bool twists = screw && !twist_.empty();
     if (twists) freedoms.push_back({twist_at(m.position), Dof::u});
     const auto point = [&](std::initializer_list<double> form, double mass) {
-      const Eigen::Map<const Eigen::VectorXd> all(form.begin(), 6);
+      const Eigen::Map<const VectorXd> all(form.begin(), 6);
       add_point(Share::masses, freedoms, all.head(twists ? 6 : 5), mass);
     };
     const Spatial& c = m.centre;
@@ -260,8 +264,7 @@ class Vibration {
       for (const auto j : indices(terms))
         for (const auto& [a, c] : terms[i])
           for (const auto& [b, d] : terms[j])
-            if (a >= b)
-              entries.emplace_back(a, b, c * d * q.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+            if (a >= b) entries.emplace_back(a, b, c * d * q.matrix(static_cast<Index>(i), static_cast<Index>(j)));
   }
 
   /// Sets lower triangles, in units of each freedom that make the diagonal of K one.
@@ -285,14 +288,14 @@ class Vibration {
   }
 
   /// Computes the vectors of the largest 1/(omega^2 + shift).
-  bool lowest(int count, double shift, Eigen::MatrixXd& vectors) const;
+  bool lowest(int count, double shift, MatrixXd& vectors) const;
   /// Number of omega^2 below a value, by the signs of a triangular factorization (Sylvester).
-  Eigen::Index modes_below(double square) const {
+  Index modes_below(double square) const {
     const Eigen::SimplicialLDLT<Sparse> ldl(stiffness_ - square * mass_);
     return ldl.info() == Eigen::Success ? (ldl.vectorD().array() < 0.0).count() : 0;
   }
   Eigen::Matrix<double, Eigen::Dynamic, 3> rigid() const;
-  Mode mode_of(const Eigen::VectorXd& phi, double& square) const;
+  Mode mode_of(const VectorXd& phi, double& square) const;
 
   const Vibrating& v_;
   const Modes& wanted_;
@@ -303,20 +306,18 @@ class Vibration {
   std::vector<Quadratic> masses_, prestress_;
   std::optional<fe::Equations> equations_;
   Sparse mass_, stiffness_;
-  Eigen::VectorXd unit_;
+  VectorXd unit_;
 };
 
-bool Vibration::lowest(int count, double shift, Eigen::MatrixXd& vectors) const {
+bool Vibration::lowest(int count, double shift, MatrixXd& vectors) const {
   const Sparse k = shift > 0.0 ? Sparse(stiffness_ + shift * mass_) : stiffness_;
   const auto size = static_cast<int>(k.rows());
   const int basis = std::max(2 * count + 1, count + 20);
   if (basis >= size) {
-    const auto dense_of = [](const Sparse& lower) {
-      return Eigen::MatrixXd(Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>());
-    };
-    const Eigen::MatrixXd full = dense_of(k);
-    if (Eigen::LLT<Eigen::MatrixXd>(full).info() != Eigen::Success) return false;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(dense_of(mass_), full);
+    const auto dense_of = [](const Sparse& lower) { return MatrixXd(MatrixXd(lower).selfadjointView<Eigen::Lower>()); };
+    const MatrixXd full = dense_of(k);
+    if (Eigen::LLT<MatrixXd>(full).info() != Eigen::Success) return false;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> dense(dense_of(mass_), full);
     vectors = dense.eigenvectors().rowwise().reverse().leftCols(std::min(count, size));
     return dense.info() == Eigen::Success;
   }
@@ -352,8 +353,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> Vibration::rigid() const {
   return r;
 }
 
-Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
-  const fe::State q(Eigen::VectorXd(unit_.cwiseProduct(vector)));
+Mode Vibration::mode_of(const VectorXd& vector, double& square) const {
+  const fe::State q(VectorXd(unit_.cwiseProduct(vector)));
   const auto at = [&](int node, Dof dof) { return equations_->displacement(q, node, dof); };
   const auto of_form = [&](const fe::LinearForm& form) {
     double sum = 0.0;
@@ -361,8 +362,8 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
     return sum;
   };
   const auto values = [&](const Quadratic& k) {
-    Eigen::VectorXd x(static_cast<Eigen::Index>(k.freedoms.size()));
-    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = at(item_at(k.freedoms, i).node, item_at(k.freedoms, i).dof);
+    VectorXd x(static_cast<Index>(k.freedoms.size()));
+    for (Index i = 0; i < x.size(); ++i) x[i] = at(item_at(k.freedoms, i).node, item_at(k.freedoms, i).dof);
     return x;
   };
   Mode mode;
@@ -370,9 +371,9 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   const Eigen::Matrix<double, Eigen::Dynamic, 3> r = rigid();
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
   for (const Quadratic& m : masses_) {
-    const Eigen::VectorXd force = m.matrix * values(m);
+    const VectorXd force = m.matrix * values(m);
     item_at(kinetic, m.share) += values(m).dot(force);
-    for (Eigen::Index i = 0; i < force.size(); ++i) {
+    for (Index i = 0; i < force.size(); ++i) {
       const Freedom& freedom = item_at(m.freedoms, i);
       moved += force[i] * r.row(fe::kDofsPerNode * freedom.node + static_cast<int>(freedom.dof)).transpose();
     }
@@ -471,7 +472,7 @@ ModesResult Vibration::solve() const {
   const Eigen::Matrix<double, Eigen::Dynamic, 3> r = rigid();
   for (const Quadratic& m : masses_) {
     Eigen::Matrix<double, Eigen::Dynamic, 3> own(m.matrix.rows(), 3);
-    for (Eigen::Index i = 0; i < own.rows(); ++i) {
+    for (Index i = 0; i < own.rows(); ++i) {
       const Freedom& freedom = item_at(m.freedoms, i);
       own.row(i) = r.row(fe::kDofsPerNode * freedom.node + static_cast<int>(freedom.dof));
     }
@@ -484,7 +485,7 @@ ModesResult Vibration::solve() const {
   constexpr int kMostBuckled = 6, kMostTries = 6;
   double shift = 0.0;
   for (int extra = 0, tries = 0; tries < kMostTries; ++tries) {
-    Eigen::MatrixXd vectors;
+    MatrixXd vectors;
     while (!lowest(std::min(most + extra, result.freedoms), shift, vectors)) {
       shift = shift == 0.0 ? unit : 100.0 * shift;
       extra = std::max(extra, kMostBuckled);
@@ -495,7 +496,7 @@ ModesResult Vibration::solve() const {
     }
     result.modes.clear();
     result.buckled = 0;
-    for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
+    for (Index k = 0; k < vectors.cols(); ++k) {
       double square = 0.0;
       Mode mode = mode_of(vectors.col(k), square);
       if (square > 0.0)

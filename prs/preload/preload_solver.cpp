@@ -8,6 +8,10 @@
 namespace prs {
 namespace {
 
+using Eigen::VectorXd;
+using fe::NodalLoad;
+using fe::State;
+
 using fe::Dof;
 
 fe::SpringElement& spring_of(PreloadSector& s, int k) { return s.model.springs[static_cast<std::size_t>(k)]; }
@@ -305,10 +309,10 @@ PreloadSector fitted(PreloadSector s, const Fit& fit) {
   return s;
 }
 
-std::vector<fe::NodalLoad> push_loads(const PreloadSector& s, const PerDirection<RollerPush>& push) {
-  std::vector<fe::NodalLoad> loads;
+std::vector<NodalLoad> push_loads(const PreloadSector& s, const PerDirection<RollerPush>& push) {
+  std::vector<NodalLoad> loads;
   for (const Direction d : kDirections)
-    for (fe::NodalLoad load : push_loads(*s.flanks[d].sector, push[d])) {
+    for (NodalLoad load : push_loads(*s.flanks[d].sector, push[d])) {
       load.node = s.flanks[d].node[static_cast<std::size_t>(load.node)];
       loads.push_back(load);
     }
@@ -332,8 +336,8 @@ class PreloadSolver::Branch {
         newton_(equations_),
         pull_(equations_.load_vector({{sector_.loaded_node, Dof::u, sense(Direction::tension)}})) {}
 
-  fe::NewtonSummary solve(double axial_force, double force_scale, fe::State& q,
-                          const std::vector<fe::NodalLoad>& further = {}) {
+  fe::NewtonSummary solve(double axial_force, double force_scale, State& q,
+                          const std::vector<NodalLoad>& further = {}) {
     fe::NewtonOptions options;
     options.force_scale = force_scale / sector_.rollers;
     options.length_scale = sector_.roller_radius;
@@ -341,17 +345,17 @@ class PreloadSolver::Branch {
   }
 
   /// State of rigid bodies, each side compressed equally.
-  fe::State rest_start() const {
-    Eigen::VectorXd q = Eigen::VectorXd::Zero(equations_.size());
+  State rest_start() const {
+    VectorXd q = VectorXd::Zero(equations_.size());
     const double quarter = 0.25 * sector_.fit.axial;
     set(q, sector_.screw_nodes, 2.0 * quarter);
     set(q, sector_.sides.tension.roller_nodes, 3.0 * quarter);
     set(q, sector_.sides.compression.roller_nodes, quarter);
-    return fe::State(std::move(q));
+    return State(std::move(q));
   }
 
   /// State of rigid bodies with the load shared equally by the threads of one side.
-  fe::State start(double axial_force, Direction carrying) const {
+  State start(double axial_force, Direction carrying) const {
     const auto shift = [&](Interface i) {
       double widest = -std::numeric_limits<double>::infinity();
       for (const int k : sector_.sides[carrying].springs[i]) widest = std::max(widest, law(k).gap);
@@ -359,22 +363,22 @@ class PreloadSolver::Branch {
              std::cos(sector_.laws[i].normal_angle);
     };
     const double roller = shift(Interface::nut);
-    Eigen::VectorXd q = Eigen::VectorXd::Zero(equations_.size());
+    VectorXd q = VectorXd::Zero(equations_.size());
     set(q, sector_.sides[carrying].roller_nodes, roller);
     set(q, sector_.screw_nodes, roller + shift(Interface::screw));
-    return fe::State(std::move(q));
+    return State(std::move(q));
   }
 
   /// Displacement of the loaded section, > 0 in tension [m].
-  double displacement(const fe::State& q) const { return pull_.dot(q.head) + pull_.dot(q.tail); }
+  double displacement(const State& q) const { return pull_.dot(q.head) + pull_.dot(q.tail); }
 
-  std::optional<double> tangent_stiffness(const fe::State& q) {
-    Eigen::VectorXd rate(equations_.size());
+  std::optional<double> tangent_stiffness(const State& q) {
+    VectorXd rate(equations_.size());
     if (!newton_.solve_tangent(q, pull_, rate)) return std::nullopt;
     return sector_.rollers / pull_.dot(rate);
   }
 
-  SideLoads loads(const fe::State& q, Direction side) const {
+  SideLoads loads(const State& q, Direction side) const {
     SideLoads loads;
     for (const Interface i : kInterfaces) {
       double sum = 0.0;
@@ -389,7 +393,7 @@ class PreloadSolver::Branch {
     return loads;
   }
 
-  std::vector<GuideLoads> guides(const fe::State& q) const {
+  std::vector<GuideLoads> guides(const State& q) const {
     std::vector<GuideLoads> all;
     for (const Direction d : kDirections) {
       const PreloadSector::Flank& flank = sector_.flanks[d];
@@ -402,7 +406,7 @@ class PreloadSolver::Branch {
 
   /// Overlap of a side at its closest threads [m]; the side is open if < 0. The rollers of a double nut carry the load
   /// from the screw to the nut: there the overlaps of both interfaces add.
-  double overlap(const fe::State& q, Direction side) const {
+  double overlap(const State& q, Direction side) const {
     PerInterface<double> closest;
     for (const Interface i : kInterfaces) {
       closest[i] = -std::numeric_limits<double>::infinity();
@@ -415,7 +419,7 @@ class PreloadSolver::Branch {
 
  private:
   const fe::PowerLawSpring& law(int k) const { return sector_.model.springs[static_cast<std::size_t>(k)].law; }
-  void set(Eigen::VectorXd& q, const std::vector<int>& nodes, double u) const {
+  void set(VectorXd& q, const std::vector<int>& nodes, double u) const {
     for (const int node : nodes)
       if (const int n = equations_.number(node, Dof::u); n >= 0) q[n] = u;
   }
@@ -423,7 +427,7 @@ class PreloadSolver::Branch {
   PreloadSector sector_;
   fe::Equations equations_;
   fe::NewtonSolver newton_;
-  Eigen::VectorXd pull_;
+  VectorXd pull_;
 };
 
 PreloadSolver::PreloadSolver(PreloadSector sector) : sector_(std::move(sector)) {
@@ -488,7 +492,7 @@ PreloadPoint PreloadSolver::solve(double axial_force) {
   return point;
 }
 
-PreloadPoint PreloadSolver::go_on(double axial_force, const std::vector<fe::NodalLoad>& further) {
+PreloadPoint PreloadSolver::go_on(double axial_force, const std::vector<NodalLoad>& further) {
   // Friction may close the other flank of a roller; a loose second roller has no defined position.
   if (sector_.rollers_are_shared()) last_ = &both();
   PreloadPoint point;
@@ -504,7 +508,7 @@ std::optional<double> PreloadSolver::opening_force(Direction sense) {
   Branch& b = branch(sense);
   bool solved = true;
   const auto clearance = [&](double force) {
-    fe::State q = b.start(force, sense);
+    State q = b.start(force, sense);
     const double signed_force = sense == Direction::tension ? force : -force;
     solved = b.solve(signed_force, force_scale(force), q).converged() && solved;
     return -b.overlap(q, opposite(sense));

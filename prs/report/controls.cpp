@@ -13,6 +13,8 @@
 namespace prs {
 namespace {
 
+using input::Source;
+
 enum class Span { factor, about, whole };
 
 /// An input that a page varies. `[]` in its path matches any item.
@@ -413,21 +415,21 @@ bool is_wanted(const LiveQuestion& q, const SectionRow& row) {
 
 /// The report that a page started from, and data for its questions, kept between them.
 struct Kept {
-  input::Source source;
+  Source source;
   std::unique_ptr<Findings> quick, complete;
   FullSolver full{FullStart::neighbour};
 };
 
-bool is_same(const input::Source& a, const input::Source& b) {
+bool is_same(const Source& a, const Source& b) {
   return a.text == b.text && a.overrides == b.overrides && a.name == b.name && a.files == b.files;
 }
 
-Findings findings_for(const input::Source& source, bool quick, Kept& kept) {
+Findings findings_for(const Source& source, bool quick, Kept& kept) {
   return quick ? quick_findings_of(source, kept.full) : findings_of(source, {}, reported_commands());
 }
 
 /// The findings of the report with its figures.
-Findings& report_of(const input::Source& report, bool quick, Kept& kept) {
+Findings& report_of(const Source& report, bool quick, Kept& kept) {
   if (!is_same(kept.source, report)) {
     kept.quick.reset();
     kept.complete.reset();
@@ -445,8 +447,8 @@ Findings& report_of(const input::Source& report, bool quick, Kept& kept) {
 }
 
 /// Commands whose own loads are still the report's, while the load cases have others.
-std::map<Command, std::string> unmoved(const input::Source& report, const input::Source& changed) {
-  const auto values = [](const input::Source& source) { return input::read_case_input(source, Command::check).values; };
+std::map<Command, std::string> unmoved(const Source& report, const Source& changed) {
+  const auto values = [](const Source& source) { return input::read_case_input(source, Command::check).values; };
   const Case before = values(report), now = values(changed);
   const auto told = [](std::string_view key) {
     return fmt::format(
@@ -494,7 +496,7 @@ LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
 
 }  // namespace
 
-LiveAnswer live_sections(const input::Source& source, const LiveQuestion& question) {
+LiveAnswer live_sections(const Source& source, const LiveQuestion& question) {
   constexpr Command kOfThread[] = {Command::contact, Command::solve, Command::slip};
   thread_local Kept kept;
   const TableUnits units(question.units);
@@ -510,7 +512,7 @@ LiveAnswer live_sections(const input::Source& source, const LiveQuestion& questi
     Findings few = findings_of(source, {}, kOfThread);
     return answer_of(few, question);
   }
-  input::Source own = source;
+  Source own = source;
   own.overrides.resize(std::min(question.own, own.overrides.size()));
   Findings& report = report_of(own, question.quick, kept);
   if (is_same(source, own)) return answer_of(report, question);

@@ -25,6 +25,10 @@
 namespace prs {
 namespace {
 
+using input::CaseInput;
+using input::EchoEntry;
+using input::Source;
+
 /// Numbers that follow from the mechanism.
 constexpr Quantity<Mechanism> kDerived[] = {
     {"axial_pitch_mm", always<axial_pitch>},
@@ -77,7 +81,7 @@ std::string readiness(const CheckResult& result) {
 std::string input_list(const CheckResult& result) {
   std::string text = "\nInput\n";
   std::string_view told;
-  for (const input::EchoEntry& f : result.fields) {
+  for (const EchoEntry& f : result.fields) {
     const auto [basis, reason] = basis_of(f, result);
     text += fmt::format("  {:<42} {}   ({}{}{})\n", f.path, printable(f.value), basis, f.origin.empty() ? "" : " ",
                         f.origin);
@@ -133,14 +137,14 @@ constexpr Quantity<CommandNeeds> kNeeds[] = {
     {"loads", of<&CommandNeeds::loads>, "static | running, of commands that have loads of threads"},
 };
 
-using Input = Within<CheckResult, input::EchoEntry>;
+using Input = Within<CheckResult, EchoEntry>;
 
 constexpr Quantity<Input> kInput[] = {
-    {"path", always<its<&input::EchoEntry::path>>},
-    {"value", always<its<&input::EchoEntry::value>>},
-    {"default", always<its<&input::EchoEntry::is_default>>},
-    {"written", filled<its<&input::EchoEntry::written>>, "as the file has it"},
-    {"origin", filled<its<&input::EchoEntry::origin>>, "of a default that a name stands for"},
+    {"path", always<its<&EchoEntry::path>>},
+    {"value", always<its<&EchoEntry::value>>},
+    {"default", always<its<&EchoEntry::is_default>>},
+    {"written", filled<its<&EchoEntry::written>>, "as the file has it"},
+    {"origin", filled<its<&EchoEntry::origin>>, "of a default that a name stands for"},
     {"basis", always<[](auto& i) { return basis_of(*i.item, *i.whole).first; }>,
      "given, assumed (as a comment of the file says) or default"},
     {"reason", filled<[](auto& i) { return basis_of(*i.item, *i.whole).second; }>, "why it was assumed"},
@@ -212,20 +216,20 @@ void put_check(Json& document, const CheckResult& result) {
 }
 
 /// Results of `solve` for the largest loads.
-std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double largest) {
+std::vector<LoadCaseResult> solved_largest(const CaseInput& in, double largest) {
   Case c = in.values;
   std::erase_if(c.load_cases, [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
   c.heat.reset();  // The duty may name load cases that were removed.
   return analyze(c).load_cases;
 }
 
-bool has_life(const input::CaseInput& in) {
+bool has_life(const CaseInput& in) {
   return analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty();
 }
 
 /// Effect of a start of the screw out of position, which perfect parts hide: on the largest load and on the life,
 /// each for the sense that is worse for it. `whole`: life of perfect parts, if it is known.
-std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in, double largest,
+std::optional<Warning> perfect_parts(const Source& source, const CaseInput& in, double largest,
                                      std::optional<double> whole) {
   constexpr double kOff = 3e-6;  ///< [m]
   const int starts = in.values.mechanism.starts.screw;
@@ -235,12 +239,12 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
   };
   if (starts == 1 || std::ranges::any_of(kParts, has_error)) return std::nullopt;
   const auto with_start = [&](double off) {
-    input::CaseInput changed = in;
+    CaseInput changed = in;
     std::vector<double>& list = changed.values.deviations.pitch_error.screw.list;
     for (int k = 0; k < in.values.mechanism.contacts_per_roller; ++k) list.push_back(k % starts == 0 ? off : 0.0);
     return changed;
   };
-  const auto largest_load = [&](const input::CaseInput& at) {
+  const auto largest_load = [&](const CaseInput& at) {
     double most = 0.0;
     for (const LoadCaseResult& loaded : solved_largest(at, largest))
       if (loaded.threads)
@@ -277,7 +281,7 @@ std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& 
 
 /// Adds the warnings of `solve` about the largest loads and of `life` about those of its block if solving takes no more
 /// than the share of one roller. `life`: result of that command; null: computed here.
-void warn_of_loads(const input::Source& source, const input::CaseInput& in, const LifeResult* life, Result& geometry) {
+void warn_of_loads(const Source& source, const CaseInput& in, const LifeResult* life, Result& geometry) {
   const Case& c = in.values;
   const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
@@ -302,7 +306,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, cons
 }
 
 /// Reads and checks the study, the optimization and the fit of the source too; without warnings.
-CheckResult readiness_of(const input::Source& source, const input::CaseInput& in) {
+CheckResult readiness_of(const Source& source, const CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
   // A page has no curves.
@@ -321,8 +325,7 @@ CheckResult readiness_of(const input::Source& source, const input::CaseInput& in
   return result;
 }
 
-void add_case_warnings(const input::Source& source, const input::CaseInput& in, const LifeResult* life,
-                       Result& geometry) {
+void add_case_warnings(const Source& source, const CaseInput& in, const LifeResult* life, Result& geometry) {
   const Case& c = in.values;
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
   // Effects of unusual values are not reported twice.
@@ -331,7 +334,7 @@ void add_case_warnings(const input::Source& source, const input::CaseInput& in, 
   for (Warning& note : void_input_warnings(c)) geometry.warnings.push_back(std::move(note));
 }
 
-CheckResult checked(const input::Source& source, const input::CaseInput& in) {
+CheckResult checked(const Source& source, const CaseInput& in) {
   CheckResult result = readiness_of(source, in);
   add_case_warnings(source, in, nullptr, result.geometry);
   return result;
@@ -339,7 +342,7 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
 
 /// Result of the check with the verdict, for which all commands with complete inputs are run. `measures` includes the
 /// results of `solve`.
-CheckResult checked_with_verdict(const input::Source& source, const input::CaseInput& in) {
+CheckResult checked_with_verdict(const Source& source, const CaseInput& in) {
   CheckResult result = readiness_of(source, in);
   std::vector<Attempt> attempts;
   std::vector<std::unique_ptr<const Delivery>> deliveries;
@@ -370,7 +373,7 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
     return attempts.back().delivery != nullptr;
   };
   const bool has_references =
-      std::ranges::any_of(in.fields, [](const input::EchoEntry& f) { return f.path.starts_with("references["); });
+      std::ranges::any_of(in.fields, [](const EchoEntry& f) { return f.path.starts_with("references["); });
   const bool has_loads = attempt(Command::measures) && !takes_long;
   for (const AnyAnalysis& analysis : analyses()) {
     const Command command = analysis.command;
@@ -412,7 +415,7 @@ const Analysis<CheckResult>& check_analysis() {
   return analysis;
 }
 
-std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& f, const CheckResult& result) {
+std::pair<std::string_view, std::string_view> basis_of(const EchoEntry& f, const CheckResult& result) {
   if (f.is_default) return {"default", {}};
   const auto found = result.assumed.find(f.path);
   if (found == result.assumed.end()) return {"given", {}};
@@ -425,7 +428,7 @@ Json derived_of(const Mechanism& mechanism) {
   return derived;
 }
 
-Delivery run_check(const input::Source& source, const input::CaseInput& in) {
+Delivery run_check(const Source& source, const CaseInput& in) {
   return delivered(source, in, check_analysis(), checked);
 }
 

@@ -7,6 +7,9 @@
 namespace prs {
 namespace {
 
+using Eigen::MatrixXd;
+using fe::NodalLoad;
+
 using fe::Dof;
 
 /// The roller of a sector as a beam over (v, theta) of its nodes, in order.
@@ -14,7 +17,7 @@ class RollerBeam {
  public:
   explicit RollerBeam(const Sector& s)
       : first_(s.roller_end_nodes.front()), size_(2 * (s.roller_end_nodes.back() - first_ + 1)) {
-    Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size_, size_);
+    MatrixXd k = MatrixXd::Zero(size_, size_);
     for (const fe::BeamElement& b : s.model.beams) {
       const Eigen::Matrix<double, 6, 6> of = fe::stiffness_matrix(b.beam);
       const int from[] = {1, 2, 4, 5};
@@ -23,8 +26,8 @@ class RollerBeam {
         for (int j = 0; j < 4; ++j) k(to[i], to[j]) += of(from[i], from[j]);
     }
     // A rigid guide imposes the shape.
-    shapes_ = Eigen::MatrixXd::Zero(size_, 2);
-    Eigen::MatrixXd loads = shapes_;
+    shapes_ = MatrixXd::Zero(size_, 2);
+    MatrixXd loads = shapes_;
     std::vector<bool> held(static_cast<std::size_t>(size_), false);
     const auto end_of = [&](int node) {
       return node == s.roller_end_nodes[0] || node == s.roller_end_nodes[1] ? 0 : 1;
@@ -45,10 +48,10 @@ class RollerBeam {
     std::vector<int> free;
     for (int i = 0; i < size_; ++i)
       if (!item_at(held, i)) free.push_back(i);
-    const Eigen::SparseMatrix<double> banded = Eigen::MatrixXd(k(free, free)).sparseView();
-    const Eigen::MatrixXd found =
+    const Eigen::SparseMatrix<double> banded = MatrixXd(k(free, free)).sparseView();
+    const MatrixXd found =
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>(banded).solve(
-            Eigen::MatrixXd(loads(free, Eigen::all)));
+            MatrixXd(loads(free, Eigen::all)));
     for (const auto i : indices(free)) shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
   }
 
@@ -58,17 +61,17 @@ class RollerBeam {
   int at(int node, Dof dof) const { return 2 * (node - first_) + (dof == Dof::v ? 0 : 1); }
 
   int first_, size_;
-  Eigen::MatrixXd shapes_;  ///< One column for each end.
+  MatrixXd shapes_;  ///< One column for each end.
 };
 
-void add_force(std::vector<fe::NodalLoad>& loads, const fe::RigidArm& at, double x, double y) {
+void add_force(std::vector<NodalLoad>& loads, const fe::RigidArm& at, double x, double y) {
   loads.push_back({at.node, Dof::u, x});
   loads.push_back({at.node, Dof::v, y});
   loads.push_back({at.node, Dof::theta, at.dx * y - at.dy * x});
 }
 
 /// Friction of thread k on the roller, and its reaction on screw or nut.
-void add_friction(std::vector<fe::NodalLoad>& loads, const Sector& s, const RollerPush& push, Interface i, int k) {
+void add_friction(std::vector<NodalLoad>& loads, const Sector& s, const RollerPush& push, Interface i, int k) {
   const fe::SpringElement& spring = item_at(s.model.springs, s.spring(i, k));
   const double x = item_at(push.axial[i], k);
   const double y = item_at(push.radial[i], k);
@@ -77,7 +80,7 @@ void add_friction(std::vector<fe::NodalLoad>& loads, const Sector& s, const Roll
   add_force(loads, spring.to, -sense * x, -sense * y);
 }
 
-void add_centrifugal(std::vector<fe::NodalLoad>& loads, const Sector& s, const RollerPush& push) {
+void add_centrifugal(std::vector<NodalLoad>& loads, const Sector& s, const RollerPush& push) {
   for (const fe::BeamElement& b : s.model.beams)
     for (const int node : {b.first, b.second})
       loads.push_back({node, Dof::v, 0.5 * b.beam.length * (is_head(s, b) ? push.of_heads : push.of_thread)});
@@ -122,8 +125,8 @@ std::array<double, 2> RollerGuides::forces(const PerInterface<std::vector<double
   return r;
 }
 
-std::vector<fe::NodalLoad> push_loads(const Sector& s, const RollerPush& push) {
-  std::vector<fe::NodalLoad> loads;
+std::vector<NodalLoad> push_loads(const Sector& s, const RollerPush& push) {
+  std::vector<NodalLoad> loads;
   for (const Interface i : kInterfaces)
     for (int k = 0; k < s.contacts(); ++k) add_friction(loads, s, push, i, k);
   add_centrifugal(loads, s, push);
@@ -133,10 +136,10 @@ std::vector<fe::NodalLoad> push_loads(const Sector& s, const RollerPush& push) {
 fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force, const RollerPush& per_normal_load) {
   const Sector& s = solver.sector();
   const fe::Equations& equations = solver.equations();
-  std::vector<fe::NodalLoad> centrifugal;
+  std::vector<NodalLoad> centrifugal;
   add_centrifugal(centrifugal, s, per_normal_load);
-  std::vector<std::vector<fe::NodalLoad>> loads(equations.springs().size());
-  for (std::vector<fe::NodalLoad>& one : loads) one.reserve(6);
+  std::vector<std::vector<NodalLoad>> loads(equations.springs().size());
+  for (std::vector<NodalLoad>& one : loads) one.reserve(6);
   for (const Interface i : kInterfaces)
     for (int k = 0; k < s.contacts(); ++k) add_friction(item_at(loads, s.spring(i, k)), s, per_normal_load, i, k);
   return {equations, axial_force / s.rollers * solver.unit_load() + equations.load_vector(centrifugal), loads};

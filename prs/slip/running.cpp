@@ -9,6 +9,9 @@
 namespace prs {
 namespace {
 
+using Eigen::VectorXd;
+using fe::NewtonStatus;
+
 /// Change of a thread's load over a round, relative to the largest load, at which to stop.
 constexpr double kTolerance = 1e-10;
 constexpr int kMostRounds = 100;
@@ -21,12 +24,12 @@ constexpr double kShare = 0.02;
 /// combination of the last steps for which g(x) - x vanishes as nearly as possible.
 class Anderson {
  public:
-  Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& g) {
+  VectorXd next(const VectorXd& x, const VectorXd& g) {
     constexpr Eigen::Index kDepth = 3;
-    const Eigen::VectorXd residual = g - x;
+    const VectorXd residual = g - x;
     if (last_g_.size() > 0) {
       const Eigen::Index kept = std::min(changes_.cols(), kDepth - 1);
-      const auto append = [kept](Eigen::MatrixXd& to, const Eigen::VectorXd& column) {
+      const auto append = [kept](Eigen::MatrixXd& to, const VectorXd& column) {
         Eigen::MatrixXd all(column.size(), kept + 1);
         all << to.rightCols(kept), column;
         to = std::move(all);
@@ -44,12 +47,12 @@ class Anderson {
 
  private:
   Eigen::MatrixXd changes_, steps_;
-  Eigen::VectorXd last_residual_, last_g_;
+  VectorXd last_residual_, last_g_;
 };
 
 /// Response of the bodies to a push.
 struct Answer {
-  fe::NewtonStatus status = fe::NewtonStatus::iteration_limit;
+  NewtonStatus status = NewtonStatus::iteration_limit;
   PerInterface<std::vector<double>> normal_load;   ///< Loads as in `InterfaceLoads` [N].
   std::vector<std::array<double, 2>> guide_force;  ///< See `RunningLoads`.
 };
@@ -84,8 +87,8 @@ std::optional<double> over_static(const InterfaceLoads& running, double largest_
   return largest_at_rest > 0.0 ? std::optional(largest(running.normal_load) / largest_at_rest) : std::nullopt;
 }
 
-RunningStatus status_of(fe::NewtonStatus status) {
-  return status == fe::NewtonStatus::mechanism ? RunningStatus::mechanism : RunningStatus::no_equilibrium;
+RunningStatus status_of(NewtonStatus status) {
+  return status == NewtonStatus::mechanism ? RunningStatus::mechanism : RunningStatus::no_equilibrium;
 }
 
 RollerPush no_push(std::size_t threads) {
@@ -197,7 +200,7 @@ class FixedPoint {
       PerInterface<std::vector<double>> unit = start;
       for (const Interface i : kInterfaces) std::ranges::fill(unit[i], 1.0);
       set_in_proportion(unit);
-      Eigen::VectorXd tau = forces(centrifugal);
+      VectorXd tau = forces(centrifugal);
       if (slow) tau = rounds_.next(last_tau_, tau);
       last_tau_ = tau;
       take(tau);
@@ -211,11 +214,11 @@ class FixedPoint {
       set_in_proportion(start);
     }
     Anderson anderson;
-    Eigen::VectorXd x = forces(centrifugal);
+    VectorXd x = forces(centrifugal);
     for (int step = 0; step < kMostRounds; ++step) {
       take(x);
       answer = bodies(push_);
-      if (answer.status != fe::NewtonStatus::converged) {
+      if (answer.status != NewtonStatus::converged) {
         r.status = status_of(answer.status);
         return false;
       }
@@ -310,7 +313,7 @@ class FixedPoint {
   }
 
   /// Vector of all unknown forces, the centrifugal ones of the rows last [N].
-  Eigen::VectorXd forces(const std::vector<double>& centrifugal) const {
+  VectorXd forces(const std::vector<double>& centrifugal) const {
     std::vector<double> all;
     for (const std::size_t roller : rollers_.present)
       for (const Interface i : kInterfaces) {
@@ -321,9 +324,9 @@ class FixedPoint {
         }
       }
     append(all, centrifugal);
-    return Eigen::Map<Eigen::VectorXd>(all.data(), std::ssize(all));
+    return Eigen::Map<VectorXd>(all.data(), std::ssize(all));
   }
-  void take(const Eigen::VectorXd& x) {
+  void take(const VectorXd& x) {
     Eigen::Index next = 0;
     for (RollerPush& push : push_) {
       for (const Interface i : kInterfaces)
@@ -343,7 +346,7 @@ class FixedPoint {
   LoadCaseResult& loaded_;
   std::vector<RollerPush> push_;  ///< Push on each present roller.
   Anderson rounds_;
-  Eigen::VectorXd last_tau_;
+  VectorXd last_tau_;
   double thread_share_ = 0.0, head_share_ = 0.0;  ///< Shares of a roller's mass per length [1/m].
 };
 
@@ -433,7 +436,7 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
   };
   if (std::ranges::none_of(kInterfaces, carries)) return running_without_contact(std::move(rest));
   const bool two_nuts = rest.other_flank->of_second_roller;
-  Answer answer{fe::NewtonStatus::converged, {}, rest.other_flank->guide_force};
+  Answer answer{NewtonStatus::converged, {}, rest.other_flank->guide_force};
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*rest.threads)[i];
     FlankThreads& other = rest.other_flank->threads[i];
@@ -504,7 +507,7 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional
   LoadCaseResult rest = solved_result(load_case, contacts_, laws_, bodies.at_rest(load_case.axial_force));
   start(rest);
   if (!rest.threads) return not_running(std::move(rest));
-  const auto answer_to = [&](const RollerPush& push, fe::NewtonStatus status) {
+  const auto answer_to = [&](const RollerPush& push, NewtonStatus status) {
     Answer answer{status, bodies.normal_load(), {}};
     if (at.guides)
       answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
@@ -518,18 +521,18 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional
   slip =
       point
           .solve(
-              answer_to(no_push(threads), fe::NewtonStatus::converged),
+              answer_to(no_push(threads), NewtonStatus::converged),
               [&](const std::vector<RollerPush>& push) { return answer_to(push.front(), bodies.go_on(push.front())); },
               [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
                 RollerPush push = per_normal_load.front();
                 if (!bodies.follow(push)) return std::nullopt;
-                const Answer loads = answer_to(push, fe::NewtonStatus::converged);
+                const Answer loads = answer_to(push, NewtonStatus::converged);
                 for (const Interface i : kInterfaces)
                   for (const auto k : up_to(threads)) {
                     push.axial[i][k] *= loads.normal_load[i][k];
                     push.radial[i][k] *= loads.normal_load[i][k];
                   }
-                return answer_to(push, fe::NewtonStatus::converged);
+                return answer_to(push, NewtonStatus::converged);
               },
               last_slip_ratio_)
           .front();
@@ -578,13 +581,13 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
   };
   all.slip = point
                  .solve(
-                     {fe::NewtonStatus::converged,
+                     {NewtonStatus::converged,
                       {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
                       forces_on_guides(rest.full->rings)},
                      [&](const std::vector<RollerPush>& push) { return under(push, &RollerPush::is_trial); },
                      [&](const std::vector<RollerPush>& push) -> std::optional<Answer> {
                        Answer answer = under(push, &RollerPush::per_normal_load);
-                       if (answer.status != fe::NewtonStatus::converged) return std::nullopt;
+                       if (answer.status != NewtonStatus::converged) return std::nullopt;
                        return answer;
                      },
                      last_slip_ratio_)

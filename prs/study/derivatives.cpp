@@ -10,6 +10,8 @@
 namespace prs {
 namespace {
 
+using Eigen::VectorXd;
+
 /// Steps of the difference formulas over the value of the factor, each tried where the one before
 /// does not converge.
 constexpr double kSteps[] = {2e-3, 2e-4, 2e-5};
@@ -106,10 +108,10 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
 }
 
 /// The responses; `states` are those of the solvers, by load case.
-Eigen::VectorXd responses(Model& model, Command command, const std::vector<ResultNumber>& numbers,
-                          const std::vector<fe::State>& states) {
+VectorXd responses(Model& model, Command command, const std::vector<ResultNumber>& numbers,
+                   const std::vector<fe::State>& states) {
   std::vector<std::optional<LoadCaseResult>> results(model.load_cases.size());
-  Eigen::VectorXd values(static_cast<Eigen::Index>(numbers.size()));
+  VectorXd values(static_cast<Eigen::Index>(numbers.size()));
   for (const auto k : indices(numbers)) {
     const LoadCaseResult* result = nullptr;
     if (const std::optional<std::size_t> index = numbers[k].load_case) {
@@ -133,8 +135,8 @@ Eigen::VectorXd responses(Model& model, Command command, const std::vector<Resul
 }
 
 /// dE/dq of a load case of a model at a state, less the load.
-Eigen::VectorXd residual(const SectorSolver& solver, const LoadCase& load, const fe::State& state) {
-  Eigen::VectorXd r(solver.equations().size());
+VectorXd residual(const SectorSolver& solver, const LoadCase& load, const fe::State& state) {
+  VectorXd r(solver.equations().size());
   const double sector_force = load.axial_force / solver.sector().rollers;
   solver.equations().energy_and_residual(state, sector_force * solver.unit_load(), r);
   return r;
@@ -162,20 +164,20 @@ class BaseCase {
   bool full() const {
     return std::ranges::any_of(model_.solved, [](const auto& s) { return s.has_value(); });
   }
-  Eigen::VectorXd values() { return responses(model_, study_.command, numbers_, states_); }
+  VectorXd values() { return responses(model_, study_.command, numbers_, states_); }
 
   /// dR/dx with one step width. Throws if a value on the way has no mechanism.
-  Eigen::VectorXd rates(const Factor& factor, double step) {
+  VectorXd rates(const Factor& factor, double step) {
     std::array<Model, 3> forward, backward;
     for (const auto m : indices(kDifference)) {
       const double shift = static_cast<double>(m + 1) * step;
       forward[m] = moved(factor, shift);
       backward[m] = moved(factor, -shift);
     }
-    std::vector<Eigen::VectorXd> state_rates(states_.size());
+    std::vector<VectorXd> state_rates(states_.size());
     for (const auto k : indices(states_))
       if (model_.solvers[k]) state_rates[k] = state_rate(k, forward, backward, step);
-    std::array<Eigen::VectorXd, 3> ahead, behind;
+    std::array<VectorXd, 3> ahead, behind;
     for (const auto m : indices(kDifference)) {
       const double shift = static_cast<double>(m + 1) * step;
       ahead[m] = responses(forward[m], study_.command, numbers_, shifted(state_rates, shift));
@@ -191,10 +193,10 @@ class BaseCase {
     return model_of(input::read_design(input_, {text}), study_.command, numbers_, with_modes_);
   }
 
-  Eigen::VectorXd state_rate(std::size_t k, const std::array<Model, 3>& forward, const std::array<Model, 3>& backward,
-                             double step) {
+  VectorXd state_rate(std::size_t k, const std::array<Model, 3>& forward, const std::array<Model, 3>& backward,
+                      double step) {
     const int size = model_.solvers[k]->equations().size();
-    std::array<Eigen::VectorXd, 3> ahead, behind;
+    std::array<VectorXd, 3> ahead, behind;
     for (const auto m : indices(kDifference)) {
       const auto residual_in = [&](const Model& model) {
         if (model.solvers[k]->equations().size() != size)
@@ -204,13 +206,13 @@ class BaseCase {
       ahead[m] = residual_in(forward[m]);
       behind[m] = residual_in(backward[m]);
     }
-    Eigen::VectorXd rate;
+    VectorXd rate;
     if (!model_.solvers[k]->state_rate(derivative(ahead, behind, step), rate))
       throw CaseError("study", "the tangent stiffness is singular");
     return rate;
   }
 
-  std::vector<fe::State> shifted(const std::vector<Eigen::VectorXd>& rates, double shift) const {
+  std::vector<fe::State> shifted(const std::vector<VectorXd>& rates, double shift) const {
     std::vector<fe::State> states = states_;
     for (const auto k : indices(states))
       if (rates[k].size() > 0) states[k].set_to_step(states_[k], -shift, rates[k]);
@@ -238,8 +240,8 @@ double usual_size(std::string_view unit) {
 }
 
 /// Keeps, response by response, the derivative with the smallest difference of its step widths.
-void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide, const Eigen::VectorXd& narrow,
-                 const Eigen::VectorXd& values, double x, double size) {
+void keep_better(FactorDerivatives& kept, const VectorXd& wide, const VectorXd& narrow, const VectorXd& values,
+                 double x, double size) {
   for (const auto k : indices(kept.responses)) {
     const auto at = static_cast<Eigen::Index>(k);
     const double error = std::abs(wide[at] - narrow[at]);
@@ -253,13 +255,13 @@ void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide, const Eig
   }
 }
 
-bool complete(const FactorDerivatives& factor, const Eigen::VectorXd& values) {
+bool complete(const FactorDerivatives& factor, const VectorXd& values) {
   for (const auto k : indices(factor.responses))
     if (std::isfinite(values[static_cast<Eigen::Index>(k)]) && !factor.responses[k]) return false;
   return true;
 }
 
-FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base, const Eigen::VectorXd& values) {
+FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base, const VectorXd& values) {
   FactorDerivatives result;
   result.responses.resize(static_cast<std::size_t>(values.size()));
   if (!factor.base || !factor.base->number) {
@@ -307,7 +309,7 @@ CaseDerivatives case_derivatives(const input::StudyInput& input) {
   const DesignEngine engine(input);
   result.study = engine.study();
   BaseCase base(input, result.study, engine.needs_modes());
-  const Eigen::VectorXd values = base.values();
+  const VectorXd values = base.values();
   for (const double value : values) result.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
   for (const Factor& factor : result.study.factors) result.factors.push_back(derivatives_by(factor, base, values));
   return result;

@@ -14,7 +14,10 @@
 namespace prs {
 namespace {
 
-constexpr Eigen::Index kRowsAtOnce = 128;
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr Index kRowsAtOnce = 128;
 constexpr double kDependent = 1e-9;  // Share of a column's length that is independent of other columns.
 constexpr double kConstant = 1e-12;  // Relative deviations of a response that are rounding.
 
@@ -64,12 +67,12 @@ std::vector<NormalisedFactor> normalised_factors(const Study& study) {
 }
 
 LinearRegression::LinearRegression(std::size_t factors, std::size_t responses)
-    : factors_(static_cast<Eigen::Index>(factors)),
-      responses_(static_cast<Eigen::Index>(responses)),
+    : factors_(static_cast<Index>(factors)),
+      responses_(static_cast<Index>(responses)),
       first_(Eigen::VectorXd::Zero(responses_)),
       largest_(Eigen::VectorXd::Zero(responses_)) {
-  const Eigen::Index columns = 1 + factors_ + responses_;
-  triangle_ = Eigen::MatrixXd::Zero(columns, columns);
+  const Index columns = 1 + factors_ + responses_;
+  triangle_ = MatrixXd::Zero(columns, columns);
   pending_.resize(kRowsAtOnce, columns);
 }
 
@@ -88,8 +91,8 @@ void LinearRegression::add(std::span<const double> x, std::span<const double> y)
   row.tail(responses_) = (values - first_).transpose();
 }
 
-void LinearRegression::reduce(Eigen::MatrixXd& triangle, Eigen::MatrixXd pending) {
-  for (Eigen::Index k = 0; k < triangle.cols(); ++k) {
+void LinearRegression::reduce(MatrixXd& triangle, MatrixXd pending) {
+  for (Index k = 0; k < triangle.cols(); ++k) {
     const double below = pending.col(k).squaredNorm();
     if (below == 0.0) continue;
     // Householder's reflection of column k onto its diagonal entry, along (v, pending.col(k)).
@@ -98,7 +101,7 @@ void LinearRegression::reduce(Eigen::MatrixXd& triangle, Eigen::MatrixXd pending
     const double v = diagonal - reflected;
     const double scale = 2.0 / (v * v + below);
     triangle(k, k) = reflected;
-    for (Eigen::Index j = k + 1; j < triangle.cols(); ++j) {
+    for (Index j = k + 1; j < triangle.cols(); ++j) {
       const double s = scale * (v * triangle(k, j) + pending.col(k).dot(pending.col(j)));
       triangle(k, j) -= s * v;
       pending.col(j) -= s * pending.col(k);
@@ -106,31 +109,31 @@ void LinearRegression::reduce(Eigen::MatrixXd& triangle, Eigen::MatrixXd pending
   }
 }
 
-Eigen::MatrixXd LinearRegression::triangle() const {
-  Eigen::MatrixXd all = triangle_;
+MatrixXd LinearRegression::triangle() const {
+  MatrixXd all = triangle_;
   reduce(all, pending_.topRows(pending_rows_));
   return all;
 }
 
 std::optional<std::size_t> LinearRegression::dependent_column() const {
-  const Eigen::MatrixXd r = triangle();
-  for (Eigen::Index k = 1; k <= factors_; ++k)
+  const MatrixXd r = triangle();
+  for (Index k = 1; k <= factors_; ++k)
     if (!(std::abs(r(k, k)) > kDependent * r.col(k).head(k + 1).norm())) return static_cast<std::size_t>(k - 1);
   return std::nullopt;
 }
 
 std::vector<std::optional<LinearFit>> LinearRegression::fits() const {
-  const Eigen::Index coefficients = 1 + factors_;
-  const Eigen::MatrixXd r = triangle();
+  const Index coefficients = 1 + factors_;
+  const MatrixXd r = triangle();
   const auto upper = r.topLeftCorner(coefficients, coefficients).triangularView<Eigen::Upper>();
-  const Eigen::MatrixXd b = upper.solve(r.topRightCorner(coefficients, responses_));
+  const MatrixXd b = upper.solve(r.topRightCorner(coefficients, responses_));
   const Eigen::VectorXd root_of_covariance =
-      upper.solve(Eigen::MatrixXd::Identity(coefficients, coefficients)).rowwise().norm();
+      upper.solve(MatrixXd::Identity(coefficients, coefficients)).rowwise().norm();
   const double rows = static_cast<double>(rows_);
   const double left_over = rows - static_cast<double>(coefficients);
 
   std::vector<std::optional<LinearFit>> fits(static_cast<std::size_t>(responses_));
-  for (Eigen::Index j = 0; j < responses_; ++j) {
+  for (Index j = 0; j < responses_; ++j) {
     const auto y = r.col(coefficients + j);
     const double sum_of_squares = y.tail(y.size() - 1).squaredNorm();
     const double residual = y.tail(responses_).squaredNorm();
@@ -140,7 +143,7 @@ std::vector<std::optional<LinearFit>> LinearRegression::fits() const {
     fit.r_squared = 1.0 - residual / sum_of_squares;
     if (left_over > 0.0) fit.adjusted_r_squared = 1.0 - (residual / left_over) / (sum_of_squares / (rows - 1.0));
     const double magnitudes = b.col(j).tail(factors_).lpNorm<1>();
-    for (Eigen::Index i = 1; i < coefficients; ++i) {
+    for (Index i = 1; i < coefficients; ++i) {
       FactorEffect effect{static_cast<std::size_t>(i - 1), b(i, j), std::nullopt,
                           100.0 * std::abs(b(i, j)) / magnitudes};
       if (left_over > 0.0) effect.standard_error = std::sqrt(residual / left_over) * root_of_covariance(i);
@@ -189,14 +192,14 @@ double VarianceIndices::Sums::variance() const {
   return (aa + bb) / (2.0 * samples) - mean * mean;
 }
 
-double VarianceIndices::Sums::first(Eigen::Index factor) const {
+double VarianceIndices::Sums::first(Index factor) const {
   return (bd[factor] - b * d[factor] / samples) / (samples * variance());
 }
 
-double VarianceIndices::Sums::total(Eigen::Index factor) const { return dd[factor] / (2.0 * samples * variance()); }
+double VarianceIndices::Sums::total(Index factor) const { return dd[factor] / (2.0 * samples * variance()); }
 
 VarianceIndices::Sums VarianceIndices::empty() const {
-  const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(factors_));
+  const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(static_cast<Index>(factors_));
   return {.d = zeros, .bd = zeros, .dd = zeros};
 }
 
@@ -226,8 +229,7 @@ void VarianceIndices::add(std::span<const double> values) {
   sums.dd += d * d;
 }
 
-Estimate VarianceIndices::estimate(const Sums& all, double (Sums::*index)(Eigen::Index) const,
-                                   Eigen::Index factor) const {
+Estimate VarianceIndices::estimate(const Sums& all, double (Sums::*index)(Index) const, Index factor) const {
   std::vector<double> without_one;
   for (const Sums& batch : batches_) {
     if (batch.samples == 0.0) continue;
@@ -254,7 +256,7 @@ ResponseIndices VarianceIndices::result() const {
   if (result.samples == 0) return result;
   result.variance = std::max(0.0, all.variance());
   if (std::sqrt(result.variance) <= kConstant * largest_) return result;
-  for (Eigen::Index i = 0; i < all.d.size(); ++i)
+  for (Index i = 0; i < all.d.size(); ++i)
     result.factors.push_back(
         {static_cast<std::size_t>(i), estimate(all, &Sums::first, i), estimate(all, &Sums::total, i)});
   std::ranges::stable_sort(result.factors, std::greater{}, [](const FactorIndices& f) { return f.total.value; });

@@ -7,6 +7,10 @@
 namespace prs {
 namespace {
 
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using fe::MeridianEdge;
+
 using Eigen::Index;
 using fe::Component;
 
@@ -47,7 +51,7 @@ std::vector<fe::HarmonicSupport> axial_supports(const std::vector<int>& nodes) {
 Material elastic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio, {}, {}}; }
 
 /// Axial force of each load [N].
-Eigen::RowVectorXd axial_resultants(const Eigen::MatrixXd& loads) {
+Eigen::RowVectorXd axial_resultants(const MatrixXd& loads) {
   Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(loads.cols());
   for (Index row = static_cast<Index>(Component::axial); row < loads.rows(); row += fe::kComponents)
     force += loads.row(row);
@@ -57,29 +61,28 @@ Eigen::RowVectorXd axial_resultants(const Eigen::MatrixXd& loads) {
 /// Thrust face of a body, harmonic 0, that rests with `nodes` on a shoulder.
 ThrustFace thrust_face(const GroovedBody& body, const Material& material, const std::vector<int>& nodes) {
   fe::HarmonicBody solver(body.mesh, isotropic(material), 0, axial_supports({nodes.front()}));
-  const Eigen::MatrixXd loads = patch_loads(body, 0);
+  const MatrixXd loads = patch_loads(body, 0);
   const auto count = static_cast<Index>(nodes.size()), ends = loads.cols();
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(loads.rows(), count + ends);
+  MatrixXd all = MatrixXd::Zero(loads.rows(), count + ends);
   for (Index k = 1; k < count; ++k) all(fe::row_of(item_at(nodes, k), Component::axial), k) = 1.0;
   all.rightCols(ends) = loads;
-  const Eigen::MatrixXd g = flexibility_of(solver, 0, all);
+  const MatrixXd g = flexibility_of(solver, 0, all);
   return {g.topLeftCorner(count, count), g.topRightCorner(count, ends), g.bottomRightCorner(ends, ends),
           axial_resultants(loads).transpose()};
 }
 
 /// Edges of a section up to a radius.
-std::vector<fe::MeridianEdge> within(const GroovedBody& body, const std::vector<fe::MeridianEdge>& edges,
-                                     double radius) {
-  std::vector<fe::MeridianEdge> inner;
-  for (const fe::MeridianEdge& e : edges)
+std::vector<MeridianEdge> within(const GroovedBody& body, const std::vector<MeridianEdge>& edges, double radius) {
+  std::vector<MeridianEdge> inner;
+  for (const MeridianEdge& e : edges)
     if (item_at(body.mesh.nodes, e[2]).x() < radius) inner.push_back(e);
   return inner;
 }
 
 /// A spring on the mean sideways displacement of a section.
-fe::HarmonicSpring sideways_spring(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section,
+fe::HarmonicSpring sideways_spring(const GroovedBody& body, const std::vector<MeridianEdge>& section,
                                    double stiffness) {
-  const Eigen::VectorXd weight = transverse_force(body, section);
+  const VectorXd weight = transverse_force(body, section);
   fe::HarmonicSpring spring;
   spring.stiffness = stiffness;
   for (const int node : nodes_of(section))
@@ -89,10 +92,10 @@ fe::HarmonicSpring sideways_spring(const GroovedBody& body, const std::vector<fe
 }
 
 /// Sections of the plain ends: outer and inner of the first, inner and outer of the last.
-std::vector<std::vector<fe::MeridianEdge>> end_sections(const GroovedBody& body) {
+std::vector<std::vector<MeridianEdge>> end_sections(const GroovedBody& body) {
   const GroovedShape& s = body.shape;
   const double l = s.plain_end->length;
-  std::vector<std::vector<fe::MeridianEdge>> sections;
+  std::vector<std::vector<MeridianEdge>> sections;
   for (const double z : {s.start - l, s.start, s.end, s.end + l})
     sections.push_back(within(body, body.section(z), s.plain_end->radius));
   return sections;
@@ -105,12 +108,12 @@ void add_guidance(const GroovedBody& body, const Guidance& guidance, std::vector
   std::vector<std::size_t> guided{0, 3};
   if (guidance.kind != Guidance::Kind::outer_node) guided.insert(guided.end(), {1, 2});
   for (const std::size_t k : guided) {
-    const std::vector<fe::MeridianEdge>& edges = sections[k];
+    const std::vector<MeridianEdge>& edges = sections[k];
     if (guidance.kind == Guidance::Kind::ring) {
       springs.push_back(sideways_spring(body, edges, guidance.ring_stiffness));
       continue;
     }
-    for (const fe::MeridianEdge& e : edges) {
+    for (const MeridianEdge& e : edges) {
       fe::add_support(supports, e, Component::radial);
       fe::add_support(supports, e, Component::circumferential);
     }
@@ -159,9 +162,9 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure, const
   return b;
 }
 
-std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
+std::vector<int> nodes_of(const std::vector<MeridianEdge>& edges) {
   std::vector<int> nodes;
-  for (const fe::MeridianEdge& e : edges) append(nodes, e);
+  for (const MeridianEdge& e : edges) append(nodes, e);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
@@ -169,21 +172,19 @@ std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
 
 /// Nodal loads of a traction on a section, in harmonic 1.
 template <class Traction>
-Eigen::VectorXd section_load(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section, Traction traction) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
-  for (const fe::MeridianEdge& e : section) fe::add_edge_load(body.mesh, e, 1, traction, load);
+VectorXd section_load(const GroovedBody& body, const std::vector<MeridianEdge>& section, Traction traction) {
+  VectorXd load = VectorXd::Zero(fe::kComponents * body.mesh.size());
+  for (const MeridianEdge& e : section) fe::add_edge_load(body.mesh, e, 1, traction, load);
   return load;
 }
 
-Eigen::VectorXd transverse_force(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
-  const Eigen::VectorXd load =
-      section_load(body, section, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); });
+VectorXd transverse_force(const GroovedBody& body, const std::vector<MeridianEdge>& section) {
+  const VectorXd load = section_load(body, section, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); });
   return load / load.cwiseAbs().sum();
 }
 
-Eigen::VectorXd turning_moment(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
-  const Eigen::VectorXd load =
-      section_load(body, section, [](double r, double) { return Eigen::Vector3d(0.0, 0.0, -r); });
+VectorXd turning_moment(const GroovedBody& body, const std::vector<MeridianEdge>& section) {
+  const VectorXd load = section_load(body, section, [](double r, double) { return Eigen::Vector3d(0.0, 0.0, -r); });
   double turned = 0.0;
   for (const int node : nodes_of(section))
     turned -= load[fe::row_of(node, Component::axial)] * item_at(body.mesh.nodes, node).x();
@@ -237,7 +238,7 @@ Flexibility screw_flexibility(const BodyGeometry& b, Direction direction, const 
 }
 
 std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut) {
-  const std::vector<fe::MeridianEdge>& face = body.free_face(nut.thrust);
+  const std::vector<MeridianEdge>& face = body.free_face(nut.thrust);
   const bool on_face = !face.empty();
   std::vector<int> held = by_radius(body, nodes_of(on_face ? face : body.section(nut.thrust)));
   if (nut.shoulder && on_face) {
@@ -260,7 +261,7 @@ MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
   const GroovedBody body = nut.body.meshed();
   const bool on_face = !body.free_face(nut.thrust).empty();
   const ThrustFace t = thrust_face(body, nut.body.material, held_nodes(body, nut));
-  return {t.nodes, t.coupling, t.loads, t.resultants, Eigen::MatrixXd::Constant(1, 1, on_face)};
+  return {t.nodes, t.coupling, t.loads, t.resultants, MatrixXd::Constant(1, 1, on_face)};
 }
 
 bool is_on_shoulder(const HeldNut& nut, const MatrixCache::Matrices& m) {
@@ -316,7 +317,7 @@ namespace {
 /// of a pitch, by pairs of transverse forces on the sections in the grooves on both sides: contacts
 /// on both flanks of a ridge bend the roller less than opposite ones. Near the contacts nothing
 /// changes.
-void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body, const std::vector<LoadedFlank>& flanks) {
+void move_to_middle(MatrixXd& loads, const GroovedBody& body, const std::vector<LoadedFlank>& flanks) {
   const auto radial = Eigen::seq(static_cast<Index>(Component::radial), Eigen::last, Index{fe::kComponents});
   const double half = 0.5 * body.shape.groove.pitch;
   for (Index k = 0; k < loads.cols(); ++k) {
@@ -350,7 +351,7 @@ MatrixCache::Matrices bent_with(const GuidedRoller& roller, Index guides) {
   std::vector<fe::HarmonicSpring> springs;
   add_guidance(body, roller.guidance, supports, springs);
   fe::HarmonicBody solver(body.mesh, isotropic(roller.body.material), 1, supports, springs);
-  Eigen::MatrixXd loads = patch_loads(body, 1);
+  MatrixXd loads = patch_loads(body, 1);
   if (roller.centred) move_to_middle(loads, body, roller.body.flanks);
   const Index contacts = loads.cols();
   loads.leftCols(contacts / 2) *= -1.0;  // cos(theta) at theta = pi
@@ -372,7 +373,7 @@ void set_loose_guides(Flexibility& f, const Structure::Roller& roller, const Loa
                       MatrixCache& cache) {
   const RingGuide ring{roller.guidance.ring_stiffness, roller.guidance.clearance};
   const double held_by = body.material.youngs_modulus * roller.end_diameter;
-  const Eigen::MatrixXd all =
+  const MatrixXd all =
       cached(cache, "bent roller with guides", GuidedRoller{body, {Guidance::Kind::ring, held_by, 0.0}, centred},
              bent_with_guides, has_guides)
           ->front();

@@ -6,6 +6,8 @@
 namespace prs {
 namespace {
 
+using Eigen::MatrixXd;
+
 using Eigen::Index;
 using fe::Component;
 
@@ -31,25 +33,25 @@ PRS_MEMBERS(ClampedBody, body, sections)
 class Modes {
  public:
   Modes(int rollers, int threads)
-      : rollers_(rollers), sums_(static_cast<std::size_t>(rollers / 2 + 1), Eigen::MatrixXd::Zero(threads, threads)) {}
+      : rollers_(rollers), sums_(static_cast<std::size_t>(rollers / 2 + 1), MatrixXd::Zero(threads, threads)) {}
 
   int of(int harmonic) const {
     const int n = harmonic % rollers_;
     return std::min(n, rollers_ - n);
   }
   double weight(int mode) const { return 2 * mode % rollers_ == 0 ? rollers_ : 0.5 * rollers_; }
-  void add(int harmonic, const Eigen::MatrixXd& g) { sum(of(harmonic)) += weight(of(harmonic)) * g; }
-  Eigen::MatrixXd& sum(int mode) { return item_at(sums_, mode); }
+  void add(int harmonic, const MatrixXd& g) { sum(of(harmonic)) += weight(of(harmonic)) * g; }
+  MatrixXd& sum(int mode) { return item_at(sums_, mode); }
   int count() const { return static_cast<int>(sums_.size()); }
 
  private:
   int rollers_;
-  std::vector<Eigen::MatrixXd> sums_;
+  std::vector<MatrixXd> sums_;
 };
 
 /// Response of a block at every thread.
-Eigen::MatrixXd along_threads(const BlockResponse& r, int threads) {
-  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(threads, threads);
+MatrixXd along_threads(const BlockResponse& r, int threads) {
+  MatrixXd g = MatrixXd::Zero(threads, threads);
   for (int d = -r.reach; d <= r.reach; ++d)
     for (int j = std::max(0, -d); j < std::min(threads, threads - d); ++j)
       g(j + d, j) = item_at(r.kernel, d + r.reach)(0, 0);
@@ -77,7 +79,7 @@ MatrixCache::Matrices bent_around(const ClampedBody& given) {
   for (const int node : held_nodes(body, given.body))
     for (const Component c : {Component::radial, Component::circumferential, Component::axial})
       clamped.push_back({node, c});
-  Eigen::MatrixXd loads(fe::kComponents * body.mesh.size(), threads + ends);
+  MatrixXd loads(fe::kComponents * body.mesh.size(), threads + ends);
   loads.leftCols(threads) = patch_loads(body, 1);
   for (const auto k : indices(given.sections)) {
     const auto column = threads + 2 * static_cast<Index>(k);
@@ -86,7 +88,7 @@ MatrixCache::Matrices bent_around(const ClampedBody& given) {
     loads.col(column + 1) = turning_moment(body, section);
   }
   fe::HarmonicBody solver(body.mesh, isotropic(loaded.material), 1, clamped);
-  const Eigen::MatrixXd g = flexibility_of(solver, 1, loads);
+  const MatrixXd g = flexibility_of(solver, 1, loads);
   return {g.topLeftCorner(threads, threads), g.topRightCorner(threads, ends), g.bottomRightCorner(ends, ends)};
 }
 
@@ -125,8 +127,7 @@ MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
 bool are_modes(const UnlikeLoads& given, const MatrixCache::Matrices& m) {
   const Index threads = given.teeth.contacts;
   return m.size() == static_cast<std::size_t>(given.teeth.first / 2) &&
-         std::ranges::all_of(
-             m, [&](const Eigen::MatrixXd& mode) { return mode.rows() == threads && mode.cols() == threads; });
+         std::ranges::all_of(m, [&](const MatrixXd& mode) { return mode.rows() == threads && mode.cols() == threads; });
 }
 
 FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& sections, const Flexibility& alike,
@@ -159,7 +160,7 @@ Eigen::Matrix2d cantilever(const RollerSection<double>& beam, double at, double 
 /// Moves loads on the last section of a body to their places behind it, on a beam.
 void lengthen(FlexibilityAround& f, const RollerSection<double>& beam, const std::vector<double>& behind) {
   const auto sections = static_cast<Index>(behind.size());
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(2 * sections, 2 * sections);
+  MatrixXd moved = MatrixXd::Identity(2 * sections, 2 * sections);
   for (Index k = 0; k < sections; ++k) moved(2 * k + 1, 2 * k) = item_at(behind, k);
   f.coupling *= moved;
   f.sections = moved.transpose() * f.sections * moved;

@@ -8,6 +8,9 @@
 namespace prs {
 namespace {
 
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
 constexpr double kNominalPressure = 0.02;  ///< Peak pressure over E*.
 
 using Eigen::Index;
@@ -24,14 +27,14 @@ constexpr double kLeastClearanceStep = 1e-4;
 
 /// N(y) and its slope.
 struct Loads {
-  Eigen::VectorXd value;
-  Eigen::VectorXd slope;
+  VectorXd value;
+  VectorXd slope;
 };
 
-Loads loads_at(const ContactProblem& p, const Eigen::VectorXd& y) {
+Loads loads_at(const ContactProblem& p, const VectorXd& y) {
   const Index contacts = p.hertz_constant.size();
   const Eigen::ArrayXd closed = y.head(contacts).array().max(0.0), root = closed.sqrt();
-  Loads loads{Eigen::VectorXd(y.size()), Eigen::VectorXd(y.size())};
+  Loads loads{VectorXd(y.size()), VectorXd(y.size())};
   loads.value.head(contacts) = p.hertz_constant.array() * closed * root;
   loads.slope.head(contacts) = 1.5 * p.hertz_constant.array() * root;
   for (Index k = contacts; k < y.size(); ++k) {
@@ -45,10 +48,10 @@ Loads loads_at(const ContactProblem& p, const Eigen::VectorXd& y) {
 
 /// Unknowns and the residual of the conditions there.
 struct Trial {
-  Eigen::VectorXd y;
+  VectorXd y;
   Eigen::Vector2d motion;
   Loads loads;
-  Eigen::VectorXd residual;  ///< Relative residual: compatibility, then equilibrium.
+  VectorXd residual;  ///< Relative residual: compatibility, then equilibrium.
 };
 
 /// The conditions under a force, in the form for Newton's method.
@@ -75,12 +78,12 @@ class Equilibrium {
   }
 
   /// Newton's step from here, to be subtracted.
-  Eigen::VectorXd step(const Trial& at) {
+  VectorXd step(const Trial& at) {
     factorize(at);
     return lu_.solve(at.residual);
   }
 
-  Trial moved(const Trial& at, const Eigen::VectorXd& step, double share) const {
+  Trial moved(const Trial& at, const VectorXd& step, double share) const {
     Trial t;
     t.y = at.y - share * step.head(n_);
     t.motion = at.motion - share * step.tail<2>();
@@ -90,7 +93,7 @@ class Equilibrium {
 
   double tangent_stiffness(const Trial& at) {
     factorize(at);
-    Eigen::VectorXd rate = Eigen::VectorXd::Zero(n_ + 2);
+    VectorXd rate = VectorXd::Zero(n_ + 2);
     rate[n_] = 1.0 / force_;  // rate for a unit of force, in relative equilibrium
     return 1.0 / lu_.solve(rate)[n_];
   }
@@ -117,8 +120,8 @@ class Equilibrium {
   Index n_;
   double force_;
   double length_ = 0.0;  ///< A typical approach.
-  Eigen::MatrixXd jacobian_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  MatrixXd jacobian_;
+  Eigen::PartialPivLU<MatrixXd> lu_;
 };
 
 }  // namespace
@@ -133,7 +136,7 @@ InfluenceSolver::InfluenceSolver(const BodyFlexibilities& bodies, int rollers, c
       rollers_(rollers),
       face_(bodies.nut.face) {
   if (guides_)
-    for (Eigen::MatrixXd* c : {&joined_, &bent_}) {
+    for (MatrixXd* c : {&joined_, &bent_}) {
       const Index contacts = c->rows(), all = contacts + guides();
       c->conservativeResize(all, all);
       c->topRightCorner(contacts, guides()) = guides_->coupling;
@@ -146,16 +149,16 @@ InfluenceSolver::InfluenceSolver(const BodyFlexibilities& bodies, int rollers, c
 }
 
 InfluenceSolver::Turned InfluenceSolver::turned(const RollerPush& push, double sense, double pitch) const {
-  const auto contacts = static_cast<Eigen::Index>(gaps_.screw.size());
-  Turned t{Eigen::VectorXd(2 * contacts), Eigen::VectorXd(2 * contacts), {}};
-  Eigen::VectorXd radial = Eigen::VectorXd::Zero(joined_.rows());
+  const auto contacts = static_cast<Index>(gaps_.screw.size());
+  Turned t{VectorXd(2 * contacts), VectorXd(2 * contacts), {}};
+  VectorXd radial = VectorXd::Zero(joined_.rows());
   for (const Interface i : kInterfaces) {
     const double to_roller = i == Interface::screw ? 1.0 : -1.0;
     const double cosine = std::cos(laws_[i].normal_angle), sine = std::sin(laws_[i].normal_angle);
-    for (Eigen::Index k = 0; k < contacts; ++k) {
+    for (Index k = 0; k < contacts; ++k) {
       const auto at = static_cast<std::size_t>(k);
       const double x = sense * push.axial[i][at], y = push.radial[i][at];
-      const Eigen::Index row = i == Interface::screw ? k : contacts + k;
+      const Index row = i == Interface::screw ? k : contacts + k;
       t.along[row] = 1.0 + to_roller * (cosine * x + sine * y);
       t.across[row] = to_roller * (sine * x - cosine * y);
     }
@@ -165,22 +168,22 @@ InfluenceSolver::Turned InfluenceSolver::turned(const RollerPush& push, double s
   }
   // Each guide gets half of the force on its end.
   if (guides_) radial.tail(guides()).setConstant(0.5 * guides_->end_length * push.of_heads);
-  const Eigen::VectorXd opening = bent_ * radial;
+  const VectorXd opening = bent_ * radial;
   t.opening.resize(2 * contacts + guides());
   t.opening << opening.head(contacts), opening.segment(2 * contacts, contacts), opening.tail(guides());
   return t;
 }
 
-ContactProblem InfluenceSolver::problem(const Eigen::MatrixXd& joined, const Turned& turned) const {
-  const auto contacts = static_cast<Eigen::Index>(gaps_.screw.size());
-  std::vector<Eigen::Index> normal, tangential;
-  for (const Eigen::Index first : {Eigen::Index{0}, of_one()})
-    for (Eigen::Index k = 0; k < contacts; ++k) {
+ContactProblem InfluenceSolver::problem(const MatrixXd& joined, const Turned& turned) const {
+  const auto contacts = static_cast<Index>(gaps_.screw.size());
+  std::vector<Index> normal, tangential;
+  for (const Index first : {Index{0}, of_one()})
+    for (Index k = 0; k < contacts; ++k) {
       normal.push_back(first + k);
       tangential.push_back(first + of_one() - contacts + k);
     }
-  for (Eigen::Index k = joined.rows() - guides(); k < joined.rows(); ++k) normal.push_back(k);
-  Eigen::MatrixXd flexibility = joined(normal, normal);
+  for (Index k = joined.rows() - guides(); k < joined.rows(); ++k) normal.push_back(k);
+  MatrixXd flexibility = joined(normal, normal);
   if (turned.along.size() > 0) {
     auto at_contacts = flexibility.leftCols(2 * contacts);
     at_contacts =
@@ -192,7 +195,7 @@ ContactProblem InfluenceSolver::problem(const Eigen::MatrixXd& joined, const Tur
     p.held_by = guides_->held_by;
   }
   if (turned.along.size() == 0) return p;
-  Eigen::VectorXd axial = turned.along;
+  VectorXd axial = turned.along;
   axial.head(contacts) += std::tan(laws_.screw.normal_angle) * turned.across.head(contacts);
   axial.tail(contacts) += std::tan(laws_.nut.normal_angle) * turned.across.tail(contacts);
   p.balance.topRows(2 * contacts) = axial.asDiagonal() * p.rigid.topRows(2 * contacts);
@@ -202,11 +205,11 @@ ContactProblem InfluenceSolver::problem(const Eigen::MatrixXd& joined, const Tur
 
 LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned) const {
   const double force = axial_force / rollers_;
-  const auto contacts = static_cast<Eigen::Index>(gaps_.screw.size());
-  Eigen::MatrixXd joined = joined_;
+  const auto contacts = static_cast<Index>(gaps_.screw.size());
+  MatrixXd joined = joined_;
   ContactSolution s = prs::solve(problem(joined, turned), force);
   const auto nut_loads = [&] {
-    Eigen::VectorXd loads = Eigen::VectorXd::Zero(of_one());
+    VectorXd loads = VectorXd::Zero(of_one());
     loads.head(contacts) = s.normal_load.tail(contacts);
     if (turned.along.size() > 0) {
       loads.tail(contacts) = loads.head(contacts).cwiseProduct(turned.across.tail(contacts));
@@ -215,7 +218,7 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
     return loads;
   };
   if (face_)
-    settle_on_shoulder(*face_, touching_, s, nut_loads, [&](const Eigen::MatrixXd& change) {
+    settle_on_shoulder(*face_, touching_, s, nut_loads, [&](const MatrixXd& change) {
       joined.block(of_one(), of_one(), of_one(), of_one()) += rollers_ * change;
       s = prs::solve(problem(joined, turned), force);
     });
@@ -223,15 +226,15 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
   LoadDistribution d;
   d.solve = s;
   for (const Interface i : kInterfaces) {
-    const Eigen::Index first = i == Interface::screw ? 0 : contacts;
-    for (Eigen::Index k = first; k < first + contacts; ++k) {
+    const Index first = i == Interface::screw ? 0 : contacts;
+    for (Index k = first; k < first + contacts; ++k) {
       d.normal_load[i].push_back(s.normal_load[k]);
       d.approach[i].push_back(s.approach[k]);
     }
   }
   d.axial_displacement = s.screw_motion;
   if (s.converged() && turned.along.size() > 0) {
-    Eigen::VectorXd y(s.approach.size() + s.guided.size());
+    VectorXd y(s.approach.size() + s.guided.size());
     y << s.approach, -s.guided;
     s.tangent_stiffness = tangent_stiffness(problem(joined, {}), force, y);
   }
@@ -310,14 +313,14 @@ BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction dir
   return {std::move(screw), std::move(nut), roller.get()};
 }
 
-ContactProblem contact_problem(const Eigen::MatrixXd& flexibility, const PerInterface<ContactLaw>& laws,
+ContactProblem contact_problem(const MatrixXd& flexibility, const PerInterface<ContactLaw>& laws,
                                const PerInterface<std::vector<double>>& gaps) {
   const auto n = static_cast<Index>(gaps.screw.size());
   ContactProblem p;
   p.flexibility = flexibility;
   p.flexibility.diagonal().head(n).array() += laws.screw.compliance;
   p.flexibility.diagonal().segment(n, n).array() += laws.nut.compliance;
-  p.rigid = Eigen::MatrixXd::Zero(flexibility.rows(), 2);
+  p.rigid = MatrixXd::Zero(flexibility.rows(), 2);
   p.hertz_constant.resize(2 * n);
   p.gap.setZero(flexibility.rows());
   p.rigid.col(0).head(n).setConstant(std::cos(laws.screw.normal_angle));
@@ -326,14 +329,13 @@ ContactProblem contact_problem(const Eigen::MatrixXd& flexibility, const PerInte
   p.balance = p.rigid;
   p.hertz_constant.head(n).setConstant(laws.screw.hertz_constant);
   p.hertz_constant.tail(n).setConstant(laws.nut.hertz_constant);
-  p.gap.head(2 * n) << Eigen::Map<const Eigen::VectorXd>(gaps.screw.data(), n),
-      Eigen::Map<const Eigen::VectorXd>(gaps.nut.data(), n);
+  p.gap.head(2 * n) << Eigen::Map<const VectorXd>(gaps.screw.data(), n), Eigen::Map<const VectorXd>(gaps.nut.data(), n);
   return p;
 }
 
-Eigen::MatrixXd BodyFlexibilities::joined() const {
+MatrixXd BodyFlexibilities::joined() const {
   const Index n = screw.matrix.rows();
-  Eigen::MatrixXd c = roller.matrix;
+  MatrixXd c = roller.matrix;
   c.topLeftCorner(n, n) += screw.matrix;
   c.bottomRightCorner(n, n) += nut.matrix;
   return c;
@@ -351,7 +353,7 @@ ContactSolution solve(const ContactProblem& p, Equilibrium& equilibrium, Trial& 
       break;
     }
     if (s.iterations() == kMostIterations) break;
-    const Eigen::VectorXd step = equilibrium.step(at);
+    const VectorXd step = equilibrium.step(at);
     s.history.push_back(contact_iteration());
     if (!step.allFinite()) {
       s.status = fe::NewtonStatus::not_positive_definite;
@@ -417,7 +419,7 @@ ContactSolution solve(const ContactProblem& p, double force) {
   return s;
 }
 
-double tangent_stiffness(const ContactProblem& p, double force, const Eigen::VectorXd& y) {
+double tangent_stiffness(const ContactProblem& p, double force, const VectorXd& y) {
   Equilibrium equilibrium(p, force);
   Trial at = equilibrium.start();
   at.loads = loads_at(p, y);
