@@ -228,7 +228,7 @@ bool has_life(const CaseInput& in) {
 }
 
 /// Effect of a start of the screw out of position, which perfect parts hide: on the largest load and on the life,
-/// each for the sense that is worse for it. `whole`: life of perfect parts, if it is known.
+/// each for the sense that is worse for it; on the life of a spectrum alone. `whole`: life of perfect parts, if known.
 std::optional<Warning> perfect_parts(const Source& source, const CaseInput& in, double largest,
                                      std::optional<double> whole) {
   constexpr double kOff = 3e-6;  ///< [m]
@@ -255,7 +255,8 @@ std::optional<Warning> perfect_parts(const Source& source, const CaseInput& in, 
                behind = largest_load(with_start(-kOff));
   if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
   std::string life;
-  if (whole) {
+  // A measured history or a duty would take this note most of the time of a check.
+  if (whole && !in.values.life->history && !(in.values.heat && !in.values.heat->duty.empty())) {
     const auto life_with = [&](double off) { return life_of(source, with_start(off)).system_life; };
     const double left = std::min(life_with(kOff), life_with(-kOff));
     if (left > 0.0 && left < *whole)
