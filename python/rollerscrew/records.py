@@ -1485,17 +1485,29 @@ class Comparison(Record):
     load_cases: list[ComparedLoadCase]
 
 
+class LargestDeviation(Record):
+    """The deviation of largest magnitude from a reference.
+
+    value: with its sign
+    percent_of_mean: of the mean magnitude of the reference
+    at: where it is, in `along_unit`
+    """
+
+    __slots__ = ()
+    value: float | None
+    percent_of_mean: float | None
+    at: float | None
+
+
 class ReferenceModel(Record):
     """How far a model lies from a reference.
 
     bodies: bars | refined | influence of one sector, or full: all rollers
     mean_deviation: mean of computed less reference
     rms_deviation: root mean square
-    largest_deviation: of largest magnitude, with its sign
-    largest_at: where that is, in `along_unit`
+    largest_deviation: of largest magnitude
     mean_deviation_percent_of_mean: of the mean magnitude of the reference
     rms_deviation_percent_of_mean: of the same
-    largest_deviation_percent_of_mean: of the same
     slope: over the force, by least squares, in `slope_unit`
     stiffness_N_per_um [N/µm]: force over displacement, by the same line
     met: whether no deviation is beyond the tolerance
@@ -1505,11 +1517,9 @@ class ReferenceModel(Record):
     bodies: str
     mean_deviation: float | None
     rms_deviation: float | None
-    largest_deviation: float | None
-    largest_at: float | None
+    largest_deviation: LargestDeviation | None
     mean_deviation_percent_of_mean: float | None
     rms_deviation_percent_of_mean: float | None
-    largest_deviation_percent_of_mean: float | None
     slope: float | None
     stiffness_N_per_um: float | None
     met: bool | None
@@ -1559,6 +1569,10 @@ class ComparedReference(Record):
     mean: mean magnitude of the reference
     sum: over a complete set of threads, of shares and of axial loads
     expected_sum: what the load of a roller makes of it
+    reference_sum_percent [%]: that sum in % of the expected one
+    mean_deviation: mean of computed less reference, by the model of the bodies that the case states, as the next two
+    rms_deviation: root mean square
+    largest_deviation: of largest magnitude
     slope: of the reference over the force, by least squares
     slope_unit: of slopes
     stiffness_N_per_um [N/µm]: force over displacement, by the same line
@@ -1580,6 +1594,10 @@ class ComparedReference(Record):
     mean: float
     sum: float | None
     expected_sum: float | None
+    reference_sum_percent: float | None
+    mean_deviation: float | None
+    rms_deviation: float | None
+    largest_deviation: LargestDeviation | None
     slope: float | None
     slope_unit: str | None
     stiffness_N_per_um: float | None
