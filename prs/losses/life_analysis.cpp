@@ -121,9 +121,10 @@ std::string capacities(const LifeResult& r, bool all) {
     if (r.bearing->static_safety)
       text += life_line("  its static safety", fmt::format("{:.2f}", *r.bearing->static_safety));
   }
-  text += life_line("static safety of these loads", r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
-                                                                     describe(*r.static_safety_limit()))
-                                                       : std::string(kAbsent));
+  text += life_line("static safety of these loads",
+                    r.static_safety()
+                        ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(), describe(*r.static_safety_limit()))
+                        : std::string(kAbsent));
   return text;
 }
 
