@@ -105,10 +105,9 @@ void add_csv_options(CLI::App& command, CsvStyle& style) {
                   "--csv", [&style](const std::string& form) { style.european = form == "european"; },
                   "Of CSV files: european has `;` between fields and decimal commas"),
               {"plain", "european"});
-  take_whole_number(
-      command.add_option("--csv-digits", style.digits,
-                         "Significant digits in CSV, 17 for the number exactly; default: 10"),
-      1, CsvStyle::kAllDigits);
+  take_whole_number(command.add_option("--csv-digits", style.digits,
+                                       "Significant digits in CSV, 17 for the number exactly; default: 10"),
+                    1, CsvStyle::kAllDigits);
 }
 
 int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,

@@ -54,7 +54,7 @@ TEST(Check, SaysWhatPerfectPartsHide) {
   EXPECT_THAT(note("31_running_screw.yaml", {}),
               testing::MatchesRegex(".* out of position by 3 um raises the largest load of a thread by [0-9.]+ % and "
                                     "takes [0-9]+ % of the life; .*"));
-  // Of measured histories the life is left out.
+  // The life is left out for measured histories.
   EXPECT_THAT(note("14_flight_spectrum.yaml", {}), testing::MatchesRegex(".* thread by [0-9.]+ %; .*"));
   EXPECT_EQ(note("14_flight_spectrum.yaml", {"deviations.pitch_error.screw.linear=1 um"}), "");
 }
