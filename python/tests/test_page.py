@@ -335,7 +335,7 @@ def test_a_reference_follows(browser: Browser, page: Callable[..., Path], progra
         browser.control(path)[1],
     )
     try:
-        browser.wait("document.querySelector('[data-tile=reference].stale') !== null")
+        browser.wait("document.querySelector('[data-tile=references].stale') !== null")
         assert "computed when the values rest" in reference_tile(browser)
         assert browser.find('[data-tile="references"]').get_attribute("class") == "stale"
     finally:
