@@ -22,10 +22,8 @@
 namespace prs {
 namespace {
 
-using input::Slot;
-
 using input::CaseFile, input::FitConditionItem, input::FitCurveItem, input::FitItem, input::FitParameterItem;
-using input::Conversion, input::conversion, input::Node, input::Readings, input::shown, input::units_like;
+using input::Conversion, input::conversion, input::Node, input::Readings, input::shown, input::Slot, input::units_like;
 using input::with_unit;
 
 constexpr std::size_t kMostRows = 1'000'000;

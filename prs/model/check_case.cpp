@@ -156,8 +156,7 @@ std::string wrong_length(const std::optional<int>& cycles, std::size_t steps) {
   if (!cycles || static_cast<std::size_t>(*cycles) * steps <= kMost) return {};
   return fmt::format(
       "got {} cycles; expected at most {} of this cycle, each of whose loads is computed in turn; take fewer cycles, "
-      "or "
-      "describe one by fewer, longer loads",
+      "or describe one by fewer, longer loads",
       *cycles, kMost / steps);
 }
 

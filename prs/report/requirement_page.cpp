@@ -1,6 +1,6 @@
 #include "prs/report/requirement_page.h"
 
-#include <regex>
+#include <boost/algorithm/string/replace.hpp>
 
 #include "prs/indices.h"
 #include "prs/report/glossary.h"
@@ -22,9 +22,8 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
   for (const std::string_view key : keys) {
     const Quantity<Item>& q = quantity<Item>(key);
     const ReportUnit unit = report_unit(key, q.unit.text);
-    static const std::regex kSpace(" ");
     head.push_back(prose_html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", ") +
-                              std::regex_replace(unit.text, kSpace, "\u00a0")));
+                              boost::replace_all_copy(unit.text, " ", "\u00a0")));
     for (const auto k : indices(rows)) {
       Json cell;  // Cell as documents show it.
       put_quantities<Item>(cell, std::span(&q, 1), items[k]);

@@ -70,21 +70,11 @@ void mark_pareto(std::vector<SizedCandidate>& all) {
   }
 }
 
-/// Whether a value makes sense as the limit of its criterion: no safety below 1, no speed beyond the critical one, no
-/// temperature at which the input warns of oils, `lubricant.temperature` in prs/input/echo.cpp.
-bool may_be_limit(const SizeCriterion& c) {
-  constexpr double kHottestOil = 570.0 - kZeroCelsius;  // [degC]
-  const double value = *c.value;
-  if (c.name == "temperature") return value <= kHottestOil;
-  if (c.name == "critical_speed") return value <= 1.0;
-  return value > 0.0 && (value >= 1.0 || !(c.name == "buckling" || c.name.ends_with("safety")));
-}
-
 std::optional<Relaxation> relaxation(const std::vector<SizedCandidate>& all) {
   for (const SizedCandidate& c : all)
     if (c.missed().size() == 1)
       for (const SizeCriterion& missed : c.criteria)
-        if (!missed.holds() && missed.margin && may_be_limit(missed))
+        if (!missed.holds() && missed.margin)
           return Relaxation{missed.name, c.rank, *missed.limit, *missed.value, *missed.margin};
   return std::nullopt;
 }

@@ -176,7 +176,7 @@ struct SizeResult {
   SizeInput input;
   std::vector<SizedCandidate> candidates;  ///< Candidates by rank.
   std::vector<InvalidCandidate> invalid;
-  std::optional<Relaxation> relax;  ///< Present if no candidate passes, and one limit can help.
+  std::optional<Relaxation> relax;  ///< Present if no candidate passes.
   std::optional<SizeCurve> curve;
   std::vector<Warning> warnings;
 

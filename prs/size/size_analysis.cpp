@@ -600,9 +600,7 @@ std::string verdict(const SizeResult& r) {
         fmt::format("To relax: with {} of {:.4g} in place of {:.4g}, {} passes.", words_of(r.relax->criterion),
                     r.relax->needed, r.relax->limit, r.candidates[static_cast<std::size_t>(r.relax->rank) - 1].name));
   else
-    text += hanging("  ", 2,
-                    "To relax: no limit alone suffices, with safeties of at least 1, speeds up to the critical one and "
-                    "temperatures of oils. Relax several, change the motion, or add candidates.");
+    text += hanging("  ", 2, "To relax: no limit alone suffices. Relax several, change the motion, or add candidates.");
   return text;
 }
 

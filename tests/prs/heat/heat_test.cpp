@@ -487,6 +487,22 @@ TEST(Mission, EndsWhereSteelDoes) {
   EXPECT_TRUE(mission.time_to_limit.screw);
 }
 
+/// One load in two load cases, the second of a hundredth of the time, whose table may have a larger error.
+TEST(HeatCycle, ARareLoadCaseWeighsAsItsShareOfThePower) {
+  SKIP_UNDER_SANITIZERS();
+  for (const Case& base : {warm_reference(), warm_solved()}) {
+    Case c = two_loads(base);
+    c.load_cases[1] = c.load_cases[0];
+    c.load_cases[1].name = "again";
+    const std::string first = c.load_cases[0].name;
+    const HeatCycle whole = cycle_of(with_duty(c, {acting(first.c_str(), 60.0), rest(30.0)}));
+    const HeatCycle parted = cycle_of(with_duty(c, {acting(first.c_str(), 59.4), acting("again", 0.6), rest(30.0)}));
+    EXPECT_NEAR(parted.mean.screw, whole.mean.screw, 1e-6);
+    EXPECT_NEAR(parted.peak.roller, whole.peak.roller, 1e-6);
+    EXPECT_NEAR(parted.energy_lost / whole.energy_lost, 1.0, 1e-8);
+  }
+}
+
 TEST(HeatCycle, EnergyThatIsLostFlowsToTheSurroundings) {
   SKIP_UNDER_SANITIZERS();
   for (const Case& base : {warm_reference(), warm_solved()}) {
