@@ -88,11 +88,11 @@ std::string quad(const View& view, const GridData& grid, std::size_t i, std::siz
   std::string d;
   for (const auto& [k, l] : {std::pair{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}) {
     const double value = grid.at(k, l);
+    if (!std::isfinite(value)) return {};
     sum += value;
     const Pixels at = view(grid.x[k], grid.y[l], value);
     d += (d.empty() ? "M" : "L") + tenth_of(at[0]) + " " + tenth_of(at[1]);
   }
-  if (!std::isfinite(sum)) return {};
   return "<path d=\"" + d + "Z\" fill=\"" + steps.colour(0.25 * sum) + "\" class=\"w\"/>";
 }
 
