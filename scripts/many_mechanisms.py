@@ -6,7 +6,9 @@
 Makes a case with `prs new` for each screw of a maker's catalogue and draws load, direction,
 rollers, threads, flank angle, Young's modulus, pitch errors and crowning around it. N mechanisms
 in all are solved at rest (`solve`, bars or refined bodies), N as running screws (`slip`, whose
-friction changes the loads; friction and speed are drawn, too). The balance of a mechanism is the
+friction changes the loads; friction and speed are drawn, too). Every second running screw has no
+friction of the rollers' heads: between smooth flanks dry heads hold the rollers, and no slip
+balances them. The balance of a mechanism is the
 sum of the axial loads of all threads at an interface over the axial force, less 1. Prints a line
 per screw and command, of each kind of reason the first, and the worst balance.
 
@@ -17,6 +19,7 @@ import argparse
 import collections
 import csv
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -37,6 +40,7 @@ def value_in(text, key):
 
 def study(case, capacity, running, samples, seed):
     """The block `study` of a case; forces up to the static capacity [kN]."""
+    least_friction = 0.04 if "\ncarrier:" in case else 0.005
     rollers = int(value_in(case, "rollers"))
     threads = int(value_in(case, "contacts_per_roller"))
     force = f"{{from: {capacity / 1000:.6g} kN, to: {capacity:.6g} kN}}"
@@ -54,7 +58,7 @@ def study(case, capacity, running, samples, seed):
     ]
     if running:
         factors += [
-            "path: friction.model.coulomb, log_uniform: {from: 0.005, to: 0.15}",
+            f"path: friction.model.coulomb, log_uniform: {{from: {least_friction}, to: 0.15}}",
             "path: operation.speed, log_uniform: {from: 1 rpm, to: 3000 rpm}",
         ]
     else:
@@ -134,6 +138,8 @@ def main():
                 if not new_case(asked.prs, row, file):
                     sys.exit(1)  # `prs new` has said why.
                 text = file.read_text(encoding="utf-8")
+                if running and number % 2:
+                    text = re.sub("^carrier:.*\n", "", text, flags=re.MULTILINE)
                 capacity = float(row["static_capacity_kN"])
                 block = study(text, capacity, running, samples, asked.seed + number)
                 file.write_text(text + block, encoding="utf-8")
