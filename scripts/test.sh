@@ -21,7 +21,7 @@ case ${1:-} in
     ;;
   "")
     scripts/web.sh
-    [[ -d web/node_modules ]] || (cd web && npm ci --silent --ignore-scripts --no-audit --no-fund)  # The tests' axe.
+    [[ -d web/node_modules ]] || (cd web && npm ci --loglevel=error --ignore-scripts --no-audit --no-fund)  # The tests' axe.
     CTEST_PARALLEL_LEVEL=$(nproc) cmake --workflow --preset test
     scripts/test_python.sh
     ;;

@@ -14,7 +14,7 @@ if cmp -s build/source_id web/built/source_id; then  # As released.
 fi
 rm -rf build/web
 mkdir -p build/web
-(cd web && npm ci --silent --ignore-scripts --no-audit --no-fund && node build.mjs ../build/web)
+(cd web && npm ci --loglevel=error --ignore-scripts --no-audit --no-fund && node build.mjs ../build/web)
 cmake --preset wasm >/dev/null
 cmake --build --preset wasm
 xz --format=lzma --lzma1=preset=9e,dict=8MiB,pb=0,lc=4 -c build/wasm/wasm/engine.wasm >build/web/engine.wasm.lzma
