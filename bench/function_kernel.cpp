@@ -8,7 +8,7 @@ double FunctionKernel::operator()(Arch, Function function, const double* x, std:
   const auto sum_of = [&](auto f) {
     Batch sum(0.0);
     for (std::size_t i = 0; i < size; i += Batch::size) sum += f(Batch::load_unaligned(x + i));
-    return hadd(sum);
+    return simd::sum_of(sum);
   };
   switch (function) {
     case Function::division:

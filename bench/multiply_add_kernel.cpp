@@ -12,7 +12,7 @@ double MultiplyAddKernel::operator()(Arch, int rounds) const {
   for (int k = 0; k < rounds; ++k) fe::unroll<kIndependent>([&](auto i) PRS_INLINED { a[i] = a[i] * factor + term; });
   Batch sum = a[0];
   for (int i = 1; i < kIndependent; ++i) sum += a[i];
-  return hadd(sum);
+  return simd::sum_of(sum);
 }
 
 template double MultiplyAddKernel::operator()(PRS_SIMD_ARCHITECTURE, int) const;

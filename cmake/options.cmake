@@ -6,8 +6,10 @@ add_library(prs_options INTERFACE)
 target_link_libraries(prs_options INTERFACE prs_warnings)
 target_compile_options(prs_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # False alarms of GCC 12: on "literal" + std::string (bug 105651), on types of anonymous namespaces in batches.
-  target_compile_options(prs_warnings INTERFACE -Wno-restrict $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+  # False alarms of GCC 12: on "literal" + std::string (bug 105651), on types of anonymous namespaces in batches; of
+  # GCC 13: on references into another argument than the temporary one (bug 107532).
+  target_compile_options(prs_warnings INTERFACE
+    -Wno-restrict $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage;-Wno-dangling-reference>)
   # Where there is memory, GCC need not look for memory to reuse: a sixth of its time.
   cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
   cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)

@@ -15,14 +15,8 @@ PRS_INLINED inline Of<WideOf<Batch, Number>> spread(const Of<Number>& one) {
   return simd::in_all_lanes<Of<WideOf<Batch, Number>>, Batch>(one);
 }
 
-/// Sum of the numbers of a batch: `hadd` of xsimd 8, `reduce_add` since.
-template <class Batch>
-double sum_of(const Batch& x) {
-  if constexpr (requires { reduce_add(x); })
-    return reduce_add(x);
-  else
-    return hadd(x);
-}
+using simd::sum_of;
+
 template <class Batch>
 simd::Dual<double> sum_of(const simd::Dual<Batch>& x) {
   return {sum_of(x.value), sum_of(x.slope)};

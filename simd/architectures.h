@@ -21,4 +21,13 @@ using Architectures = xsimd::arch_list<Baseline>;
 /// Size of the widest batch: arrays for kernels are padded to a multiple of it.
 inline constexpr int kWidest = 8;
 
+/// Sum of the numbers of a batch: `hadd` of xsimd 8, `reduce_add` since.
+template <class Batch>
+double sum_of(const Batch& x) {
+  if constexpr (requires { reduce_add(x); })
+    return reduce_add(x);
+  else
+    return hadd(x);
+}
+
 }  // namespace simd

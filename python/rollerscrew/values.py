@@ -16,7 +16,8 @@ from rollerscrew import _engine
 #: SI units of every dimension that cases know, for quantities in a unit that they do not.
 _SI_UNITS = (
     "m", "N", "Pa", "kg/m^3", "Pa s", "m^2/s", "1/Pa", "N/m^1.5", "N/m", "N m", "s", "K", "1/K",
-    "rad/s", "rad",
+    "rad/s", "rad", "kg", "m/s", "kg m^2", "Hz", "N s/m", "N m s/rad", "s/m", "W", "N m/A",
+    "ohm", "V", "A", "W/K", "W/(m K)", "J/K", "J/(kg K)",
 )  # fmt: skip
 
 #: Case files nest at most so many levels.

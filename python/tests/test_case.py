@@ -150,6 +150,13 @@ QUANTITIES: list[tuple[int, str, float, str, str]] = [
     (14, "life.history.interval", 1, "min", "week"),
     (1, "mechanism.flank_angle", 45, "deg", "arcmin"),
     (1, "mechanism.flank_angle", 0.78, "rad", "turn"),
+    (30, "heat.conductance.screw_ambient", 2, "W/K", "Btu/hour/delta_degF"),
+    (30, "heat.specific_heat", 460, "J/kg/K", "Btu/lb/delta_degF"),
+    (34, "response.load.mass", 120, "kg", "stone"),
+    (34, "response.screw.inertia", 3.5e-4, "kg*m**2", "lb*ft**2"),
+    (34, "response.material_damping.at_frequency", 250, "Hz", "MHz"),
+    (35, "response.motor.damping", 0.002, "N*m*s/rad", "ozf*inch*s/rad"),
+    (35, "response.end_stops.upper.damping", 0.4, "s/m", "s/ft"),
 ]
 
 
