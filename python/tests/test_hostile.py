@@ -126,7 +126,7 @@ VALUES: dict[str, Any] = {
     "date": np.datetime64("2020-01-01"),
     "structured": np.zeros(2, dtype=[("a", "f8")]),
     "void": np.void(b"abc"),
-    "NaT": np.timedelta64("NaT"),
+    "NaT": np.timedelta64("NaT", "s"),
     "array of objects": np.array([object(), None], dtype=object),
     "no elements": np.zeros((0, 3)),
 }
