@@ -104,7 +104,10 @@ def plain(value: Any, level: int = 0) -> Any:
     if is_quantity(value):
         unit, magnitude = unit_and_magnitude(value)
         if np.ndim(magnitude) > 0:
-            return [plain(type(value)(item, value.units), level + 1) for item in np.asarray(value.magnitude)]
+            return [
+                plain(type(value)(item, value.units), level + 1)
+                for item in np.asarray(value.magnitude)
+            ]
         number = number_text(float(magnitude))
         return f"{number} {unit}" if unit else float(magnitude)
     if isinstance(value, np.floating):
