@@ -33,6 +33,7 @@ class Touch:
         g, self.at, self.screw = roller(q), q, screw
         self.n = -way * np.array([-g[0], -g[1], 1]) / np.sqrt(1 + g @ g)
         kappa, v = np.linalg.eig(np.linalg.solve(np.eye(2) + np.outer(g, g), second(q) / np.sqrt(1 + g @ g)))
+        kappa, v = kappa.real, v.real
         i = kappa.argmin()
         t = np.array([*v[:, i], g @ v[:, i]])
         self.k, self.t1 = np.sort(kappa), t / np.linalg.norm(t)

@@ -14,6 +14,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
+import numpy.typing as npt
 
 from rollerscrew import _engine
 from rollerscrew.values import checked_text
@@ -280,7 +281,7 @@ def _read_types(owner: type) -> _Types:
             optional.add(name)
             hint = next(each for each in within if each is not type(None))
         hints[name] = hint
-        if typing.get_origin(hint) is np.ndarray:
+        if typing.get_origin(hint) in (np.ndarray, npt.NDArray):  # The alias from NumPy 2.5 on.
             arrays.add(name)
         for candidate in (hint, *typing.get_args(hint)):
             if isinstance(candidate, type) and issubclass(candidate, Record):
