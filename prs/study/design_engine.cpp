@@ -1,95 +1,12 @@
 #include "prs/study/design_engine.h"
 
-#include <numeric>
-
-#include "modules/response/response_analysis.h"
-#include "prs/compare/compare_references.h"
-#include "prs/compare/reference_analysis.h"
-#include "prs/heat/analyze_heat.h"
 #include "prs/indices.h"
-#include "prs/input/force_history.h"
-#include "prs/losses/life_analysis.h"
-#include "prs/losses/slip_analysis.h"
-#include "prs/losses/solve_analysis.h"
-#include "prs/measures/measures_analysis.h"
 #include "prs/reference/reference_reader.h"
-#include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
-#include "prs/study/design_reader.h"
-#include "prs/study/response.h"
+#include "prs/study/design_responses.h"
 
 namespace prs {
 namespace {
-
-Result analyze_for(Command command, const Conditions& c, Contacts contacts, AnalysisOptions options) {
-  if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
-  return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
-                                  : analyze_loads(c, std::move(contacts), options);
-}
-
-/// Status of the duty, or of the first load case, that did not converge.
-DesignStatus status_of(const Result& result) {
-  if (result.heat_cycle && !result.heat_cycle->converged())
-    return {std::string(name(result.heat_cycle->status)), fmt::format("duty: {}", result.heat_cycle->reason)};
-  for (const LoadCaseResult& load_case : result.load_cases) {
-    if (load_case.heat && !load_case.heat->converged())
-      return {std::string(name(load_case.heat->status)),
-              fmt::format("load case {}: {}", load_case.load_case.name, load_case.heat->reason)};
-    const bool slips = load_case.slip.has_value();
-    if (load_case.converged() && (!slips || load_case.slip->has_answer())) continue;
-    const std::string name(slips ? slip_status_name(load_case) : status_name(load_case));
-    return {name, fmt::format("load case {} did not converge", load_case.load_case.name)};
-  }
-  return {};
-}
-
-/// Runs `compute` and returns the reason if it stopped.
-template <class Compute>
-DesignStatus status_after(Compute compute) {
-  try {
-    return compute();
-  } catch (const input::InputError& error) {
-    return {"refused", error.what()};
-  } catch (const CaseError& error) {
-    return {"refused", error.problem().text()};
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    return {"failed", error.what()};
-  }
-}
-
-/// The responses as numbers of results; none if one of them needs the document.
-std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::string>& responses) {
-  std::vector<ResultNumber> numbers;
-  for (const std::string& path : responses) {
-    std::optional<ResultNumber> number = result_number(path);
-    if (!number) return std::nullopt;
-    numbers.push_back(std::move(*number));
-  }
-  return numbers;
-}
-
-/// Load cases of `all` that the numbers, or the duty, need, ascending.
-std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers, std::size_t all, bool needs_duty) {
-  std::vector<std::size_t> indices;
-  if (needs_duty) {
-    indices.resize(all);
-    std::iota(indices.begin(), indices.end(), std::size_t{0});
-  }
-  for (const ResultNumber& number : numbers)
-    if (number.load_case) indices.push_back(*number.load_case);
-  std::ranges::sort(indices);
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-  return indices;
-}
-
-/// Results of batches besides loads and approaches, and whether load cases have their modes.
-struct NumberDetail {
-  LoadDetail loads;
-  SlipDetail slip;
-  bool modes = true;
-};
 
 /// Whether numbers are the same to rounding, or missing in both.
 bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
@@ -108,50 +25,6 @@ using Stop = std::function<bool()>;
 /// Reads the case of the design that a row of a block answers.
 using ReadRow = std::function<Case&(DesignReader& reader, std::size_t row)>;
 
-/// Place in the case of load case k of a document: `contact` answers those of equal shares
-/// alone.
-std::size_t place_of(std::size_t k, const std::vector<LoadCase>& all, Command command) {
-  if (command != Command::contact) return k;
-  for (const auto at : indices(all))
-    if (all[at].share == LoadCase::Share::equal && k-- == 0) return at;
-  return all.size();
-}
-
-/// A case with nothing but some of its load cases, with their modes or not, and with its duty or not,
-/// as long as this lives.
-class OnlyLoadCases {
- public:
-  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, Command command, bool with_modes, bool with_duty,
-                std::vector<LoadCase>& memory)
-      : case_(c), with_duty_(with_duty), others_(memory) {
-    others_.resize(indices.size());
-    std::size_t known = 0;
-    for (const std::size_t k : indices) {
-      const std::size_t at = place_of(k, c.load_cases, command);
-      if (at >= c.load_cases.size()) break;
-      others_[known] = c.load_cases[at];
-      if (!with_modes) others_[known].modes.reset();
-      ++known;
-    }
-    others_.resize(known);
-    exchange();
-  }
-  ~OnlyLoadCases() { exchange(); }
-  OnlyLoadCases(const OnlyLoadCases&) = delete;
-  OnlyLoadCases& operator=(const OnlyLoadCases&) = delete;
-
- private:
-  void exchange() {
-    std::swap(case_.load_cases, others_);
-    if (case_.heat && !with_duty_) std::swap(case_.heat->duty, duty_);
-  }
-
-  Case& case_;
-  bool with_duty_;
-  std::vector<LoadCase>& others_;
-  decltype(Heat::duty) duty_;
-};
-
 /// The mechanism, if it is valid; none if the scalar chain must report the error.
 std::optional<Mechanism> sound_mechanism(Case& c) {
   try {
@@ -165,23 +38,14 @@ std::optional<Mechanism> sound_mechanism(Case& c) {
 
 struct DesignEngine::Parts {
   Parts(const input::StudyInput& given, simd::InstructionSet instructions)
-      : input(given), study(given.study), set(instructions) {}
+      : input(given), responses(given), set(instructions) {}
 
   const input::StudyInput& input;
-  Study study;
+  DesignResponses responses;
   simd::InstructionSet set;
-  std::optional<std::vector<ResultNumber>> numbers;
-  std::vector<std::size_t> load_cases;                 ///< Load cases that the numbers need.
-  bool needs_duty = false;                             ///< Whether one of the numbers, or temperatures, is of a duty.
-  bool in_columns = false;                             ///< Whether BarBatch or SlipBatch gets what it takes.
-  NumberDetail number_detail;                          ///< Load-case data for the numbers.
-  bool of_references = false;                          ///< Whether deviations of references are recorded.
-  Detail detail = Detail::numbers;                     ///< Detail of the results for the numbers.
-  ContactDetail contact_detail = ContactDetail::laws;  ///< Detail of the contacts for the numbers.
-  bool side_by_side = true;                            ///< Whether the bodies of the base case take many designs.
-  bool all_rollers = false;                            ///< Whether it is a full mechanism.
-  std::optional<LoadHistory> history;                  ///< History of the base case.
-  std::optional<HistorySource> history_source;
+  bool in_columns = false;   ///< Whether BarBatch or SlipBatch gets what it takes.
+  bool side_by_side = true;  ///< Whether the bodies of the base case take many designs.
+  bool all_rollers = false;  ///< Whether it is a full mechanism.
 
   /// Data of a thread.
   struct Worker {
@@ -189,7 +53,7 @@ struct DesignEngine::Parts {
         : reader(input), columns(set), slips(set), sectors(set), contacts(set) {}
 
     DesignReader reader;
-    FullSolver full;
+    DesignResponses::Memory memory;
     BarBatch columns;
     SlipBatch slips;
     SectorBatch sectors;
@@ -200,7 +64,6 @@ struct DesignEngine::Parts {
       std::optional<std::size_t> contacts = {};
     };
     std::vector<Alone> alone;
-    std::vector<LoadCase> load_cases;  ///< Memory of `OnlyLoadCases`.
   };
 
   /// A worker that no other thread has, as long as the pointer lives.
@@ -222,98 +85,40 @@ struct DesignEngine::Parts {
     return std::unique_ptr<Worker, decltype(give_back)>(worker.release(), give_back);
   }
 
-  bool measures() const { return study.command == Command::measures; }
+  Command command() const { return responses.study.command; }
   bool in_batches() const {
-    return numbers && (study.command == Command::solve || (measures() && !load_cases.empty()));
+    return responses.numbers &&
+           (command() == Command::solve || (responses.measures() && !responses.load_cases.empty()));
   }
   /// Whether contacts of many designs are found together; those of Detail::complete are not.
-  bool shares_contacts() const { return numbers && detail == Detail::numbers && study.command != Command::life; }
-
-  /// The history of a case; that of the base case is read once.
-  std::optional<LoadHistory> history_of(const Case& c) const {
-    if (!c.life->history) return std::nullopt;
-    if (history && c.life->history == history_source) return history;
-    return input::read_force_history(*c.life->history, input.source);
-  }
-
-  /// Computes lives and calls `use` with them if there are any.
-  template <class Use>
-  DesignStatus with_lives(const Case& c, Use use) const {
-    const LifeResult result = analyze_warm_life(c, history_of(c));
-    if (!result.converged()) return {"not_converged", *result.failure};
-    use(result);
-    return {};
-  }
-
-  /// The document of load cases, with the deviations of references if they are recorded.
-  Json document_with_references(const Case& c, const input::Source& source, Result result) const {
-    Json document = document_of(study.command == Command::slip ? slip_analysis() : solve_analysis(), result, {});
-    if (!of_references) return document;
-    ModelComparison comparison;
-    comparison.models.push_back(std::move(result));
-    compare_references(source, c, read_references(source, c), comparison);
-    put_references(document, comparison);
-    return document;
-  }
-
-  /// The chain of the command on the case of a source, the whole document.
-  DesignStatus by_document(const Case& c, const input::Source& source, Json& document) const {
-    if (study.command == Command::life)
-      return with_lives(c, [&](const LifeResult& lives) { document = document_of(life_analysis(), lives, {}); });
-    if (study.command == Command::response) {
-      const ResponseResult result = analyze_response(c, input.source);
-      if (!result.converged()) return {"not_converged", std::string(name(result.run.status))};
-      document = document_of(response_analysis(), result, {});
-      return {};
-    }
-    if (measures()) {
-      const MeasuresResult result = analyze_measures(c);
-      document = document_of(measures_analysis(), result, {});
-      return status_of(result.analysis);
-    }
-    Result result = analyze_for(study.command, c, checked_contacts(c, Detail::complete), {});
-    DesignStatus status = status_of(result);
-    document = document_with_references(c, source, std::move(result));
-    return status;
+  bool shares_contacts() const {
+    return responses.numbers && responses.detail == Detail::numbers && command() != Command::life;
   }
 
   void read_base(Arrays arrays) {
     const auto of_reference = [](const std::string& path) { return path.starts_with("references["); };
-    of_references = (study.command == Command::solve || study.command == Command::slip) &&
-                    std::ranges::any_of(study.responses, of_reference);
+    responses.of_references = (command() == Command::solve || command() == Command::slip) &&
+                              std::ranges::any_of(responses.study.responses, of_reference);
     Json document;
-    std::size_t all_load_cases = 0, threads = 0;
     const auto worker = borrowed();
     std::optional<Case> base;
     const DesignStatus status = status_after([&] {
       base = worker->reader.read(0);
-      all_load_cases = base->load_cases.size();
-      threads = static_cast<std::size_t>(base->mechanism.contacts_per_roller);
       side_by_side = base->model.bodies->side_by_side;
       all_rollers = base->model.all_rollers();
-      if (study.command == Command::life && base->life->history) {
-        history = history_of(*base);
-        history_source = base->life->history;
-      }
-      return by_document(*base, input.source, document);
+      responses.keep_history(*base);
+      return responses.by_document(*base, input.source, document);
     });
-    if (base && of_references)
+    if (base && responses.of_references)
       read_references(input.source, *base);  // An error in a file fails the study, not a design.
     if (!status.converged()) document = nullptr;
-    study.responses = recorded_columns(study, document, threads, arrays);
-    if (study.command != Command::response) numbers = numbers_of(study.responses);
-    if (!numbers) return;
-    const bool has_mission = base && warms(base->heat) && base->heat->has_mission();
-    needs_duty = has_mission || std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
-    load_cases = load_cases_of(*numbers, all_load_cases, needs_duty);
-    const auto of_mechanism = [](const ResultNumber& number) { return !number.load_case; };
-    if (measures() || std::ranges::any_of(*numbers, of_mechanism)) contact_detail = ContactDetail::numbers;
-    if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete)) detail = Detail::complete;
-    in_columns = (study.command == Command::solve || study.command == Command::slip) && detail == Detail::numbers;
+    responses.choose(base, document, arrays);
+    if (!responses.numbers) return;
+    in_columns = (command() == Command::solve || command() == Command::slip) && responses.detail == Detail::numbers;
     if (!document.is_null())
       leave_out_parts(*base, *worker, document);
     else if (all_rollers)
-      detail = Detail::complete;
+      responses.detail = Detail::complete;
   }
 
   /// Leaves out of all designs each part of the results without which the base case has the same numbers. What
@@ -324,10 +129,10 @@ struct DesignEngine::Parts {
     };
     std::vector<bool*> parts;
     if (std::ranges::any_of(base.load_cases, [](const LoadCase& load) { return load.modes.has_value(); }))
-      parts.push_back(&number_detail.modes);
+      parts.push_back(&responses.number_detail.modes);
     else
-      number_detail.modes = false;
-    auto& [loads, slip, modes] = number_detail;
+      responses.number_detail.modes = false;
+    auto& [loads, slip, modes] = responses.number_detail;
     if (goes_to_columns(base, worker))
       parts.insert(parts.end(), {&loads.axial_load, &loads.load_rate, &loads.ellipses, &loads.tangent_stiffness,
                                  &slip.threads, &slip.films});
@@ -336,88 +141,35 @@ struct DesignEngine::Parts {
     else if (!all_rollers)
       return;
     std::vector<double> documented;
-    for (const std::string& path : study.responses)
+    for (const std::string& path : responses.study.responses)
       documented.push_back(response(document, path).value_or(kNoResponse));
     const auto has_all = [&](const std::vector<double>& found) {
       return std::ranges::equal(found, documented,
                                 [](double f, double d) { return std::isfinite(f) || std::isnan(d); });
     };
     std::vector<double> whole = row();
-    if (!has_all(whole) && detail == Detail::numbers) {
-      detail = Detail::complete;
+    if (!has_all(whole) && responses.detail == Detail::numbers) {
+      responses.detail = Detail::complete;
       in_columns = false;
       whole = row();
     }
-    if (!has_all(whole)) numbers.reset();
+    if (!has_all(whole)) responses.numbers.reset();
     for (bool* part : parts) {
-      if (!numbers) return;
+      if (!responses.numbers) return;
       *part = false;
       *part = !are_same(row(), whole);
     }
   }
 
-  /// `known`: all that does not depend on the load case.
-  void set_numbers(double* row, const Answer& known, const std::vector<LoadCaseResult>& results = {},
-                   const std::vector<std::optional<LoadMeasures>>& load_measures = {}) const {
-    for (const auto k : up_to(numbers->size())) {
-      const ResultNumber& number = (*numbers)[k];
-      Answer answer = known;
-      if (number.load_case) {
-        const auto at = std::ranges::find(load_cases, *number.load_case);
-        const auto index = static_cast<std::size_t>(at - load_cases.begin());
-        if (index >= results.size()) continue;
-        answer.load_case = &results[index];
-        if (index < load_measures.size() && load_measures[index]) answer.load_measures = &*load_measures[index];
-      }
-      row[k] = number.value(answer).value_or(kNoResponse);
-    }
-  }
-
-  void set_numbers(double* row, const MeasuresResult& result) const {
-    set_numbers(row, {.contacts = result.analysis.contacts, .measures = &result.measures}, result.analysis.load_cases,
-                result.load_measures);
-  }
-
-  /// `found`: the contacts, where they are known.
-  DesignStatus answer(Case& c, Worker& worker, double* row, const Contacts* found = nullptr) const {
-    if (!numbers) {
-      Json document;
-      const DesignStatus status = by_document(c, of_references ? worker.reader.source() : input.source, document);
-      if (status.converged())
-        for (const auto k : indices(study.responses))
-          row[k] = response(document, study.responses[k]).value_or(kNoResponse);
-      return status;
-    }
-    if (study.command == Command::life)
-      return with_lives(
-          c, [&](const LifeResult& lives) { set_numbers(row, {.contacts = lives.contacts, .life = &lives}); });
-    const OnlyLoadCases needed(c, load_cases, study.command, number_detail.modes, needs_duty, worker.load_cases);
-    AnalysisOptions options = kManyDesigns;
-    options.detail = detail;
-    options.full = &worker.full;
-    Contacts contacts = found ? *found : checked_contacts(c, options.detail);
-    if (measures()) {
-      const MeasuresResult result = analyze_measures(c, std::move(contacts), options);
-      DesignStatus status = status_of(result.analysis);
-      if (status.converged()) set_numbers(row, result);
-      return status;
-    }
-    const Result result = analyze_for(study.command, c, std::move(contacts), options);
-    DesignStatus status = status_of(result);
-    const HeatCycle* cycle = result.heat_cycle ? &*result.heat_cycle : nullptr;
-    if (status.converged()) set_numbers(row, {.contacts = result.contacts, .cycle = cycle}, result.load_cases);
-    return status;
-  }
-
   RowBlock evaluate(std::size_t first, std::size_t rows, const ReadRow& read, const Stop& stop) {
     RowBlock block{first, rows, {}, {}};
-    block.responses.assign(rows * study.responses.size(), kNoResponse);
+    block.responses.assign(rows * responses.study.responses.size(), kNoResponse);
     const auto worker = borrowed();
     for (std::size_t row = 0; row < block.rows;) {
       row = evaluate_batch(read, row, std::min(row + kBatch, block.rows), *worker, block, stop);
       if (row < block.rows && stop && stop()) block.rows = row;
     }
-    block.responses.resize(block.rows * study.responses.size());
+    block.responses.resize(block.rows * responses.study.responses.size());
     std::erase_if(block.failures, [&](const auto& failure) { return failure.row >= block.rows; });
     std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
     return block;
@@ -433,15 +185,15 @@ struct DesignEngine::Parts {
     };
     read_batch(read, from, to, worker, keep_failure);
     const auto take = [&](std::size_t row, const std::vector<LoadCaseResult>& results, const Contacts& contacts) {
-      set_numbers(row_of(block, row), {.contacts = contacts}, results);
+      responses.set_numbers(row_of(block, row), {.contacts = contacts}, results);
     };
     const auto leave = [&](std::size_t row) { worker.alone.push_back({row}); };
-    worker.columns.solve(number_detail.loads, take, leave);
-    worker.slips.solve(number_detail.loads, number_detail.slip, take, leave);
+    worker.columns.solve(responses.number_detail.loads, take, leave);
+    worker.slips.solve(responses.number_detail.loads, responses.number_detail.slip, take, leave);
     worker.sectors.solve(
-        contact_detail, measures() || number_detail.loads.tangent_stiffness,
+        responses.contact_detail, responses.measures() || responses.number_detail.loads.tangent_stiffness,
         [&](SectorBatch::Design& design) {
-          if (measures())
+          if (responses.measures())
             measure(design, row_of(block, design.row));
           else
             take(design.row, design.load_cases, design.contacts);
@@ -451,9 +203,10 @@ struct DesignEngine::Parts {
     std::ranges::sort(worker.alone, {}, &Worker::Alone::row);
     Contacts found;
     for (const auto& [row, contacts] : worker.alone) {
-      const bool known = worker.contacts.get(contacts, contact_detail, found);
+      const bool known = worker.contacts.get(contacts, responses.contact_detail, found);
       keep_failure(row, [&, row = row] {
-        return answer(read(worker.reader, row), worker, row_of(block, row), known ? &found : nullptr);
+        Case& c = read(worker.reader, row);
+        return responses.answer(c, worker.reader, worker.memory, row_of(block, row), known ? &found : nullptr);
       });
       if (stop && stop()) return row + 1;
     }
@@ -463,8 +216,8 @@ struct DesignEngine::Parts {
   /// Gives each row to a batch, or to those that are answered alone.
   void read_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
                   const auto& keep_failure) const {
-    worker.columns.clear(contact_detail);
-    worker.slips.clear(contact_detail);
+    worker.columns.clear(responses.contact_detail);
+    worker.slips.clear(responses.contact_detail);
     worker.sectors.clear();
     worker.contacts.clear();
     worker.alone.clear();
@@ -490,11 +243,12 @@ struct DesignEngine::Parts {
   /// Whether BarBatch or SlipBatch takes the design.
   bool goes_to_columns(const Case& c, const Worker& worker) const {
     if (!in_columns || runs(c)) return false;
-    return study.command == Command::slip ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases);
+    return command() == Command::slip ? worker.slips.takes(c, responses.load_cases)
+                                      : BarBatch::takes(c, responses.load_cases);
   }
   bool goes_to_sectors(const Case& c) const { return in_batches() && !runs(c) && c.model.side_by_side(); }
   bool runs(const Case& c) const {
-    return study.command == Command::solve && c.model.loads == ModelOptions::Loads::running;
+    return command() == Command::solve && c.model.loads == ModelOptions::Loads::running;
   }
 
   /// Adds a design to a batch; false if no batch takes it.
@@ -502,14 +256,14 @@ struct DesignEngine::Parts {
     if (goes_to_columns(c, worker)) {
       const std::optional<Mechanism> mechanism = sound_mechanism(c);
       if (!mechanism) return false;
-      if (study.command == Command::slip)
-        worker.slips.add(row, c, *mechanism, load_cases);
+      if (command() == Command::slip)
+        worker.slips.add(row, c, *mechanism, responses.load_cases);
       else
-        worker.columns.add(row, c, *mechanism, load_cases);
+        worker.columns.add(row, c, *mechanism, responses.load_cases);
       return true;
     }
     if (!goes_to_sectors(c)) return false;
-    worker.sectors.add(row, c, load_cases, measures(), detail);
+    worker.sectors.add(row, c, responses.load_cases, responses.measures(), responses.detail);
     return true;
   }
 
@@ -518,14 +272,14 @@ struct DesignEngine::Parts {
     Result solved;
     std::swap(solved.contacts, design.contacts);
     std::swap(solved.load_cases, design.load_cases);
-    MeasuresResult result = measured(design.conditions, std::move(solved), detail);
-    set_numbers(row, result);
+    MeasuresResult result = measured(design.conditions, std::move(solved), responses.detail);
+    responses.set_numbers(row, result);
     std::swap(result.analysis.contacts, design.contacts);
     std::swap(result.analysis.load_cases, design.load_cases);
   }
 
   double* row_of(RowBlock& block, std::size_t row) const {
-    return block.responses.data() + row * study.responses.size();
+    return block.responses.data() + row * responses.study.responses.size();
   }
 
   std::mutex mutex;
@@ -539,9 +293,9 @@ DesignEngine::DesignEngine(const input::StudyInput& input, simd::InstructionSet 
 
 DesignEngine::~DesignEngine() = default;
 
-const Study& DesignEngine::study() const { return parts_->study; }
+const Study& DesignEngine::study() const { return parts_->responses.study; }
 
-bool DesignEngine::needs_modes() const { return parts_->number_detail.modes; }
+bool DesignEngine::needs_modes() const { return parts_->responses.number_detail.modes; }
 
 RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count, const std::function<bool()>& stop) const {
   return parts_->evaluate(
@@ -554,9 +308,9 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 }
 
 std::size_t DesignEngine::chunk() const {
-  if (!parts_->side_by_side || parts_->needs_duty) return 1;
-  if (!parts_->numbers || parts_->study.command == Command::life) return 8;
-  if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
+  if (!parts_->side_by_side || parts_->responses.needs_duty) return 1;
+  if (!parts_->responses.numbers || parts_->command() == Command::life) return 8;
+  if (parts_->command() == Command::slip || parts_->all_rollers) return 32;
   return 512;
 }
 
