@@ -1,8 +1,9 @@
 #pragma once
 
-/// Parts of C++20 that libc++ 13, in Debian 12's emscripten, lacks: the algorithms of std::ranges that this project
-/// uses, std::from_chars of double, std::bit_cast, comparison of texts by `<=>`. Included before every source, by that
-/// compiler only.
+/// Parts of C++20 that the libraries of emscripten lack: std::from_chars of double, which libc++ has as of 20; in
+/// libc++ 13 of Debian 12 also the algorithms of std::ranges that this project uses, std::bit_cast and comparison of
+/// texts by
+/// `<=>`. Included before every source, by emscripten only.
 
 #include <algorithm>
 #include <charconv>
@@ -20,12 +21,15 @@
 
 namespace std {
 
+#if _LIBCPP_VERSION < 200000
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   // Both functions accept `inf`, `nan` and no leading `+`.
   const auto [end, error] = fast_float::from_chars(first, last, value);
   return {end, error};
 }
+#endif
 
+#if _LIBCPP_VERSION < 16000
 template <class To, class From>
 constexpr To bit_cast(const From& value) noexcept {
   return __builtin_bit_cast(To, value);
@@ -291,4 +295,6 @@ inline constexpr prs_missing::upper_bound_fn upper_bound;
 }  // namespace prs_functions
 
 }  // namespace ranges
+#endif
+
 }  // namespace std
