@@ -269,7 +269,8 @@ Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipRe
 /// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
 /// of each patch is as long as two of them lie apart.
 Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
-  return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
+  if (!pictures.most_loaded_thread) return {};
+  return patch_figure("slip_patches", result, *pictures.most_loaded_thread, std::nullopt);
 }
 
 /// Figure of one thread of one load case.

@@ -64,11 +64,13 @@ SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_
   pictures.residue_near_root = residue_curve(model, range.ideal - reach, range.ideal + reach);
   SlipBalance balance;
   balance_at(model, loaded.slip->slip_ratio, balance);
+  if (model.threads.screw.patches.empty() || model.threads.nut.patches.empty()) return pictures;
+  pictures.most_loaded_thread.emplace();
   for (const Interface i : kInterfaces) {
     const LoadedThreads& threads = model.threads[i];
     const auto most =
         std::ranges::max_element(threads.contacts, {}, &LoadedThreads::Contact::axial_load) - threads.contacts.begin();
-    pictures.most_loaded_thread[i] =
+    (*pictures.most_loaded_thread)[i] =
         patch_field(models.grid(), item_at(threads.patches, most), balance.sliding[i], c.model.patch_points);
   }
   return pictures;

@@ -21,9 +21,10 @@ struct PatchField {
 
 /// Data for the pictures of one load case, in addition to its result.
 struct SlipPictures {
-  ResidueCurve residue;                         ///< Moments over the whole range of slip ratios.
-  ResidueCurve residue_near_root;               ///< Moments around the ideal slip ratio, the root inside.
-  PerInterface<PatchField> most_loaded_thread;  ///< Patches at the result's slip ratio.
+  ResidueCurve residue;            ///< Moments over the whole range of slip ratios.
+  ResidueCurve residue_near_root;  ///< Moments around the ideal slip ratio, the root inside.
+  /// Patches at the result's slip ratio; absent where no thread touches.
+  std::optional<PerInterface<PatchField>> most_loaded_thread;
 };
 
 /// Patches of one thread at both interfaces, at the slip of a load case that converged; absent where the

@@ -119,9 +119,8 @@ inline prs::ResidueCurve sample_curve(double from, double to) {
 }
 
 inline SlipPictures sample_pictures() {
-  return {sample_curve(0.25, 0.5),
-          sample_curve(0.372956, 0.373312),
-          {sample_patch(0.19e-3, 0.1, 60.0), sample_patch(0.22e-3, 0.0, 60.0)}};
+  return {sample_curve(0.25, 0.5), sample_curve(0.372956, 0.373312),
+          prs::PerInterface<prs::PatchField>{sample_patch(0.19e-3, 0.1, 60.0), sample_patch(0.22e-3, 0.0, 60.0)}};
 }
 
 }  // namespace test

@@ -113,7 +113,7 @@ TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
   const Figure figure = slip_patch_figure(with_slip(solved_case("a", 45e3, Direction::tension)), pictures);
   ASSERT_EQ(figure.panels.size(), 2);
   for (const Interface i : kInterfaces) {
-    const PatchField& field = pictures.most_loaded_thread[i];
+    const PatchField& field = (*pictures.most_loaded_thread)[i];
     const Panel& panel = figure.panels[i == Interface::screw ? 0 : 1];
     EXPECT_EQ(std::ranges::count_if(panel.map.grid.values, [](double v) { return v == v; }),
               static_cast<std::ptrdiff_t>(field.friction_coefficient.size()));
@@ -137,7 +137,7 @@ TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
 TEST(SlipFigures, EvenFrictionHasAColourRangeFromZero) {
   SlipPictures pictures = sample_pictures();
   for (const Interface i : kInterfaces)
-    for (double& value : pictures.most_loaded_thread[i].friction_coefficient) value = 0.11;
+    for (double& value : (*pictures.most_loaded_thread)[i].friction_coefficient) value = 0.11;
   const Figure figure = slip_patch_figure(with_slip(equal_share_case("coulomb")), pictures);
   ASSERT_TRUE(figure.colours);
   EXPECT_EQ(figure.colours->from, 0.0);
@@ -199,12 +199,18 @@ TEST(SlipFigures, ReferencesStandInBothPanels) {
 
 TEST(SlipPlots, EveryFigureIsDrawn) { expect_drawn(with_patches(slip_sweeps())); }
 
+TEST(SlipFigures, NoThreadThatTouchesHasNoPatches) {
+  SlipPictures pictures = sample_pictures();
+  pictures.most_loaded_thread.reset();
+  EXPECT_TRUE(slip_patch_figure(with_slip(equal_share_case("coulomb")), pictures).panels.empty());
+}
+
 TEST(SlipPlots, DegenerateValuesAreDrawn) {
   Result result;
   result.load_cases = {with_slip(equal_share_case("still"))};
   SlipPictures pictures = sample_pictures();
   for (const Interface i : kInterfaces) {
-    PatchField& field = pictures.most_loaded_thread[i];
+    PatchField& field = (*pictures.most_loaded_thread)[i];
     std::fill(field.sliding_major.begin(), field.sliding_major.end(), 0.0);
     std::fill(field.sliding_minor.begin(), field.sliding_minor.end(), 0.0);
     std::fill(field.friction_coefficient.begin(), field.friction_coefficient.end(), 0.0);

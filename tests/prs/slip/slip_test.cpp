@@ -958,7 +958,7 @@ TEST(SlipPictures, ShowTheRootAndTheResultsFields) {
   EXPECT_LT(p.residue_near_root.slip_ratio.front(), s.slip_ratio);
   EXPECT_GT(p.residue_near_root.slip_ratio.back(), s.ideal_slip_ratio);
   for (const Interface i : kInterfaces) {
-    const PatchField& f = p.most_loaded_thread[i];
+    const PatchField& f = (*p.most_loaded_thread)[i];
     const double mean = std::accumulate(f.friction_coefficient.begin(), f.friction_coefficient.end(), 0.0) /
                         static_cast<double>(f.friction_coefficient.size());
     EXPECT_NEAR(mean, s.threads[i].friction_coefficient[0], 1e-12);
