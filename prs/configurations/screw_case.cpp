@@ -86,7 +86,7 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
       "makers' screws, stand in docs/new_case.md.");
   text +=
       "#\n"
-      "#   prs check FILE                   every value, its default, what is unusual\n"
+      "#   prs check FILE --all             every value, its default, what is unusual\n"
       "#   prs contact FILE                 contact points, ellipses, backlash\n"
       "#   prs solve FILE --output out      load per thread, stiffness, pressures, pictures\n"
       "#   prs slip FILE --output out       slip, friction, lost power, efficiency, pictures\n"

@@ -3,6 +3,9 @@
 #include <csv.h>
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cstring>
 #include <new>
 #include <regex>
@@ -33,6 +36,7 @@ char separator_of(std::string_view line) {
   return ',';
 }
 
+constexpr std::size_t kMostColumns = 1024;  ///< Number of columns in which points may stand between thousands.
 /// Longer fields are not numbers, and would exhaust the stack of std::regex.
 constexpr std::size_t kLongestNumber = 64;
 
@@ -41,6 +45,13 @@ const std::regex& decimal_comma_number() {
   static const std::regex number(R"(\s*([+-]?(?:\d+|\d{1,3}(?:[. ']\d{3})+))(?:,(\d+(?:[eE][+-]?\d+)?))?\s*)",
                                  std::regex::optimize);
   return number;
+}
+
+/// The field with plain blanks in place of those at which no line breaks, which spreadsheets write between thousands.
+std::string with_plain_blanks(std::string_view field) {
+  std::string plain(field);
+  for (const char* blank : {"\u00a0", "\u202f"}) boost::replace_all(plain, blank, " ");
+  return plain;
 }
 
 /// Marks columns of a line whose numbers have a decimal comma. Between semicolons any comma is a decimal one; between
@@ -57,21 +68,53 @@ void mark_decimal_commas(std::string_view line, char separator, std::vector<bool
     const std::size_t here = column++;
     if (field.size() > kLongestNumber || field.find(',') == field.npos) continue;
     if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
-    std::cmatch parts;
-    if (!std::regex_match(field.data(), field.data() + field.size(), parts, decimal_comma_number())) continue;
+    std::smatch parts;
+    const std::string plain = with_plain_blanks(field);
+    if (!std::regex_match(plain, parts, decimal_comma_number())) continue;
     if (separator != ';' && parts.length(2) == 3 && parts.str(1) != "0") continue;
     if (columns.size() <= here) columns.resize(here + 1);
     columns[here] = true;
   }
 }
 
+/// Meaning of the points in the numbers of a text without decimal commas.
+enum class Points { decimal, between_thousands, unclear };
+
+/// Only numbers such as `2.50` or `0.500` show decimal points, `1.000.000` those between thousands. Without any point
+/// they are decimal.
+Points points_of(std::string_view text, char separator) {
+  static const std::regex thousands(R"([+-]?[1-9]\d{0,2}(?:\.\d{3})+)", std::regex::optimize);
+  static const std::regex decimal(R"([+-]?\d*\.\d*(?:[eE][+-]?\d+)?)", std::regex::optimize);
+  Points points = Points::decimal;
+  const std::string ends = {separator, '\n', '\r'};
+  for (std::size_t at = text.find('.'); at != text.npos;) {
+    const std::size_t before = text.find_last_of(ends, at), end = std::min(text.find_first_of(ends, at), text.size());
+    const std::size_t begin = before == text.npos ? 0 : before + 1;
+    const std::size_t line = text.find_last_of('\n', at);
+    at = text.find('.', end);
+    if (text[line == text.npos ? 0 : line + 1] == '#') continue;
+    const std::string field =
+        boost::trim_copy_if(std::string(text.substr(begin, end - begin)), boost::is_any_of("\" "));
+    if (field.size() > kLongestNumber) continue;
+    if (!std::regex_match(field, thousands)) {
+      if (std::regex_match(field, decimal)) return Points::decimal;
+    } else if (std::ranges::count(field, '.') > 1) {
+      points = Points::between_thousands;
+    } else if (points == Points::decimal) {
+      points = Points::unclear;
+    }
+  }
+  return points;
+}
+
 /// Rewrites a number with a decimal comma or marks between thousands in the usual form; false for other fields. In a
 /// column without a decimal comma, beside columns that have it, `1.250` is ambiguous and is written so that it is not
 /// read as a number.
 bool write_with_point(std::string_view field, bool has_commas, std::string& number) {
-  if (field.size() > kLongestNumber || field.find_first_of(",. '") == field.npos) return false;
-  std::cmatch parts;
-  if (!std::regex_match(field.data(), field.data() + field.size(), parts, decimal_comma_number())) return false;
+  if (field.size() > kLongestNumber || field.find_first_of(",. '\xA0\xAF") == field.npos) return false;
+  std::smatch parts;
+  const std::string plain = with_plain_blanks(field);
+  if (!std::regex_match(plain, parts, decimal_comma_number())) return false;
   number = parts.str(1);
   if (number.starts_with("0.") || number.starts_with("-0.") || number.starts_with("+0.")) return false;
   std::erase_if(number, [](char c) { return c == '.' || c == ' ' || c == '\''; });
@@ -170,9 +213,13 @@ struct CsvReader::Parts {
 
   std::vector<bool> columns_with_commas() const {
     std::vector<bool> columns;
-    if (separator == ',' || text.find(',') == text.npos) return columns;
-    for (std::string_view rest = text.substr(next); !rest.empty(); rest.remove_prefix(line_length(rest)))
+    if (separator == ',') return columns;
+    const bool any = text.find(',') != text.npos;
+    for (std::string_view rest = text.substr(next); any && !rest.empty(); rest.remove_prefix(line_length(rest)))
       if (rest.front() != '#') mark_decimal_commas(rest.substr(0, line_length(rest)), separator, columns);
+    if (!columns.empty() || separator != ';') return columns;
+    const Points points = points_of(text.substr(next), separator);
+    columns.resize(points == Points::decimal ? 0 : kMostColumns, points == Points::between_thousands);
     return columns;
   }
 
@@ -183,6 +230,8 @@ struct CsvReader::Parts {
 
   void read_row() {
     parser.clear();
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || line().find('\0') != text.npos)
+      throw CsvError(row, "got a text in UTF-16 or a file that is none; expected UTF-8; save it as `CSV UTF-8`");
     while (parser.rows() == 0) {
       if (next == text.size()) {
         if (parser.finish()) return;

@@ -542,11 +542,15 @@ constexpr UsualValue kUsual[] = {
     // A nut on springs to a block of steel.
     {"structure.nut.housing.axial", "100 N/mm", "1e6 kN/mm", "housings have 10 kN/mm to 10000 kN/mm"},
     {"structure.nut.housing.lateral", "1 N/mm", "1e6 kN/mm", "housings have 10 kN/mm to 10000 kN/mm"},
+    {"structure.nut.outer_diameter", "3 mm", "700 mm", "twice to three times the screw's diameter"},
+    {"structure.nut.length", "1 mm", "1 m", "one to five screw diameters"},
+    {"structure.screw.free_length", "", "10 m", "up to a hundred screw diameters"},
+    {"structure.roller.end_length", "", "200 mm", "up to two roller diameters"},
     // The largest static capacities in catalogues are about 3 MN.
     {"load_cases.axial_force", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     {"life.spectrum.force", "", "10 MN", "catalogues end at static capacities of 3 MN"},
-    {"life.dynamic_capacity", "", "10 MN", "catalogues end at 2 MN"},
-    {"life.static_capacity", "", "10 MN", "catalogues end at 3 MN"},
+    {"life.dynamic_capacity", "500 N", "10 MN", "catalogues have 5 kN to 2 MN"},
+    {"life.static_capacity", "500 N", "10 MN", "catalogues have 5 kN to 3 MN"},
     {"preload.force", "", "1 MN", "some 5 % of the dynamic capacity"},
     {"preload.load.from", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     {"preload.load.to", "", "10 MN", "catalogues end at static capacities of 3 MN"},
@@ -611,14 +615,22 @@ double end_of(std::string_view text, const Dimension* dimension, double where_ab
   return dimension ? parse_quantity(text, *dimension).value.value() : parse_number(text).value();
 }
 
-/// Number with a unit that makes it usual; empty if there is none.
+/// Number with a unit that makes it usual, the nearest by powers of a thousand; empty if there is none.
 std::string usual_unit(const EchoEntry& field, double least, double greatest) {
   const auto written = split_unit(field.written);
   if (!written || !field.dimension) return {};
-  for (const Unit& unit : field.dimension->units)
-    if (const auto si = to_si(written->number, unit); si && std::abs(*si) >= least && std::abs(*si) <= greatest)
-      return fmt::format("{:.10g} {}", written->number, unit.spellings[0]);
-  return {};
+  const Unit* found = nullptr;
+  double fewest = HUGE_VAL;  // Powers of a thousand.
+  for (const Unit& unit : field.dimension->units) {
+    const auto si = to_si(written->number, unit);
+    if (!si || std::abs(*si) < least || std::abs(*si) > greatest) continue;
+    const double powers = std::abs(std::log10(std::abs(*si / *field.number))) / 3.0;
+    const bool is_power = std::abs(powers - std::round(powers)) < 1e-9;
+    if (found && !(is_power && powers < fewest)) continue;
+    found = &unit;
+    fewest = is_power ? powers : HUGE_VAL;
+  }
+  return found ? fmt::format("{:.10g} {}", written->number, found->spellings[0]) : std::string();
 }
 
 std::string range_text(const UsualValue& row) {

@@ -399,6 +399,17 @@ bool zero_depends_on_unit(const Dimension& dimension) {
   return std::ranges::any_of(dimension.units, [](const Unit& u) { return u.offset != 0.0; });
 }
 
+/// The printed unit or that of the example, whichever brings a number nearer to the example.
+std::string_view likely_unit(double number, const Dimension& dimension) {
+  const auto example = split_unit(dimension.example);
+  const Unit &printed = *find_unit(dimension.canonical, dimension), &common = *find_unit(example->unit, dimension);
+  const double size = *to_si(example->number, common);
+  const auto distance = [&](const Unit& unit) {
+    return std::abs(std::log(std::abs(to_si(number, unit).value_or(0.0) / size)));
+  };
+  return distance(common) < distance(printed) ? example->unit : dimension.canonical;
+}
+
 ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension) {
   const Head head = split_number(text);
   if (!head.number) return {std::nullopt, names_no_number(text) ? "NaN and infinity are no values" : ""};
@@ -407,7 +418,7 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
     return {std::nullopt,
             fmt::format("write the unit, for example `{} {}` (units: {})",
                         fraction ? fmt::format("{:g}", 100.0 * *head.number) : std::string(text.substr(0, 40)),
-                        dimension.canonical, unit_list(dimension))};
+                        likely_unit(*head.number, dimension), unit_list(dimension))};
   }
   if (head.rest.starts_with(','))
     return {std::nullopt, "write the decimal mark as a point, without thousands separators"};

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <set>
 
 #include "prs/indices.h"
@@ -80,11 +81,22 @@ std::string nearest_responses(const std::string& path, bool over_threads) {
                       : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"));
 }
 
-/// The key without its unit.
-std::string_view stem(std::string_view path) { return path.substr(0, path.size() - unit_of(path).suffix.size()); }
+/// A heading without its unit, and the unit, for people.
+struct Heading {
+  std::string_view stem;
+  std::string unit;
+};
 
-/// Unit, for people, at the end of a name.
-std::string unit_behind(std::string_view name) { return unit_of_response(name); }
+/// The unit at the end is any of an input or that of a key of documents, with `_` for a blank and `_per_` for a
+/// stroke: `torque_screw_lbf_in`, `axial_stiffness_kN_per_mm`.
+Heading split_heading(std::string_view name) {
+  for (std::size_t at = name.find('_'); at != name.npos; at = name.find('_', at + 1)) {
+    std::string unit = boost::replace_all_copy(std::string(name.substr(at + 1)), "_per_", "/");
+    std::ranges::replace(unit, '_', ' ');
+    if (input::is_unit(unit)) return {name.substr(0, at), std::move(unit)};
+  }
+  return {name.substr(0, name.size() - unit_of(name).suffix.size()), unit_of_response(name)};
+}
 
 /// A column that is read as a response.
 struct Column {
@@ -217,14 +229,14 @@ class ReferenceReader {
     for (std::size_t k = 0; along_ == npos && k < names.size(); ++k)
       if (const std::string_view input = input_named(names[k]); !input.empty()) along_ = k, input_ = input;
     if (along_ == npos || input_ == kThread) return;
-    along_unit_ = item_->along && item_->along->unit ? *item_->along->unit : unit_behind(names[along_]);
+    along_unit_ = item_->along && item_->along->unit ? *item_->along->unit : split_heading(names[along_]).unit;
     input_path_ = input_;
   }
 
   /// Input for a column of that name; empty for others.
   static std::string_view input_named(std::string_view name) {
     if (name == kThread) return kThread;
-    const std::string_view quantity = name.substr(0, name.size() - unit_of(name).suffix.size());
+    const std::string_view quantity = split_heading(name).stem;
     return quantity == "force" || quantity == kForce ? kForce : std::string_view();
   }
 
@@ -260,10 +272,11 @@ class ReferenceReader {
   Column named_column(const Readings& table, std::size_t field) const {
     const std::string& name = table.names()[field];
     if (const Responses* of = place_of(name, is_over_threads())) return {field, of, name, unit_of_response(name), {}};
+    const auto& [stem, unit] = split_heading(name);
     for (const Responses& of : known_responses())
       for (const std::string& path : of.named(is_over_threads()))
-        if (stem(path) == stem(name) && of.has(path, is_over_threads()))
-          if (const auto to_unit = input::conversion(unit_behind(name), unit_of_response(path)))
+        if (split_heading(path).stem == stem && of.has(path, is_over_threads()))
+          if (const auto to_unit = input::conversion(unit, unit_of_response(path)))
             return {field, &of, path, unit_of_response(path), *to_unit};
     table.refuse_name(field, fmt::format("expected `thread`, `load_case`, `force_kN` or {} by its name; {}",
                                          is_over_threads() ? "an array over threads" : "a number that a command finds",

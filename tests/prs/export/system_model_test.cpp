@@ -112,7 +112,7 @@ TEST(Export, WrongInputIsToldAndNothingIsWritten) {
            {screw + " --fmu --output x.mo", {"x.mo for --fmu", "a file that ends in .fmu"}},
            {screw + " --fmu --output ''", {"--output: got nothing", "a file or a folder"}},
            {screw + " --modelica --output " + screw, {"which is a file", "another name"}},
-           {screw + " --fmu --force 30", {"--force: got 30", "a force with its unit", "`30 N`"}},
+           {screw + " --fmu --force 30", {"--force: got 30", "a force with its unit", "`30 kN`"}},
            {screw + " --fmu --force '0 N'", {"--force: got 0 N", "more than 0 N"}},
            {screw + " --fmu --speed '-3 rpm'", {"--speed: got -3 rpm", "more than 0 rpm"}},
            {screw + " --fmu --load-case push", {"none called `push`", "expected one of"}},

@@ -7,6 +7,7 @@ namespace prs::input {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::StartsWith;
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -60,12 +61,20 @@ TEST(CsvReader, ReadsDecimalCommasBetweenSemicolonsAndTabs) {
 }
 
 TEST(CsvReader, LeavesNumbersWithPointsAsTheyAre) {
-  EXPECT_EQ(rows_of("a;b\n1.500;2\n"), (Rows{{"a", "b"}, {"1.500", "2"}}));
-  EXPECT_EQ(rows_of("# 1,5;2\na;b\n1.500;2\n"), (Rows{{"a", "b"}, {"1.500", "2"}}));
+  EXPECT_EQ(rows_of("a;b\n1.500;2.5\n"), (Rows{{"a", "b"}, {"1.500", "2.5"}}));
+  EXPECT_EQ(rows_of("a;b\n1.500;2\n0.500;2\n"), (Rows{{"a", "b"}, {"1.500", "2"}, {"0.500", "2"}}));
   EXPECT_EQ(rows_of("a\tb\n1,500\t2.500\n"), (Rows{{"a", "b"}, {"1,500", "2.500"}}));
   EXPECT_EQ(rows_of("a,b\n\"1,5\",1.500\n"), (Rows{{"a", "b"}, {"1,5", "1.500"}}));
   const std::string digits(1000000, '1');
   EXPECT_EQ(rows_of("a;b\n1,5;" + digits + "\n"), (Rows{{"a", "b"}, {"1.5", digits}}));
+}
+
+/// Thousands of one country are decimals of another.
+TEST(CsvReader, PointsBetweenSemicolonsMustShowWhatTheyAre) {
+  EXPECT_EQ(rows_of("a;b\n1.500;2\n"), (Rows{{"a", "b"}, {"1.500 or 1500", "2"}}));
+  EXPECT_EQ(rows_of("# 1,5;2.5\na;b\n1.500;2\n"), (Rows{{"a", "b"}, {"1.500 or 1500", "2"}}));
+  EXPECT_EQ(rows_of("a;b\n1.500;1.000.000\n"), (Rows{{"a", "b"}, {"1500", "1000000"}}));
+  EXPECT_EQ(rows_of("a;b\n\"1\u00a0000,5\";2\n"), (Rows{{"a", "b"}, {"1000.5", "2"}}));
 }
 
 TEST(CsvReader, FieldsStandWhereTheyWereWritten) {
@@ -86,6 +95,10 @@ TEST(CsvReader, RefusesWhatCannotBeReadInOneWay) {
   EXPECT_THAT(csv_error_of("a,5\" disc\n"), StartsWith("3: got a quote within a field; expected "));
   EXPECT_THAT(csv_error_of("a\n\"b\"c\n"), StartsWith("5: got a quote within a field; expected "));
   EXPECT_THAT(csv_error_of("a\n\"b\nc\n"), StartsWith("2: got a quote that never closes; expected "));
+  EXPECT_THAT(csv_error_of(std::string("\xFF\xFE"
+                                       "a\0\n\0",
+                                       6)),
+              HasSubstr("got a text in UTF-16"));
   EXPECT_THAT(csv_error_of("a\n1\r2\r3\n"), StartsWith("2: got a carriage return within a line"));
 }
 

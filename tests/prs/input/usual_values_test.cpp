@@ -43,6 +43,8 @@ TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
       {"materials.poisson_ratio", "0.03", "check value and unit"},
       {"load_cases[0].axial_force", "1e9 kN", "check value and unit"},
       {"load_cases[0].axial_force", "20 kN", ""},
+      {"load_cases[0].axial_force", "19 MN", "`19 kN`?"},
+      {"structure.nut.outer_diameter", "54 in", "`54 mm`?"},
       {"load_cases[1].speed", "-1e6 rpm", "check value and unit"},
       {"operation.speed", "1e6 rpm", "check value and unit"},
       {"lubricant.viscosity_at[0].kinematic_viscosity", "185 m^2/s", "`185 mm^2/s`?"},

@@ -170,6 +170,19 @@ TEST_F(AgainstReferences, UnitsOfACurveOverTheForceAreConverted) {
   EXPECT_NEAR(document(c)["references"][0]["models"][0]["stiffness_N_per_um"], 20e3 / ((u3 - u1) * 1e6), 1e-3);
 }
 
+TEST_F(AgainstReferences, HeadingsTakeAnyUnitOfTheirKind) {
+  const std::string loads = "load_cases=[{name: pull, axial_force: 30 kN, direction: tension, position: 20 mm}]";
+  const LoadCaseResult at_30 = run("[]", "", {loads}).models[0].load_cases[0];
+  const std::string csv =
+      fmt::format("force_lbf,axial_displacement_uin,axial_stiffness_kN_per_mm\n{:.15g},{:.15g},{:.15g}\n",
+                  30e3 / 4.4482216152605, *at_30.axial_displacement / 25.4e-9, *at_30.axial_stiffness * 1e-6);
+  const ModelComparison c = run("[{file: x.csv}]", csv, {loads});
+  ASSERT_EQ(c.references.size(), 2u);
+  EXPECT_NEAR(c.references[0].reference.readings[0].along, 30e3 / 4.4482216152605, 1e-9);
+  for (const auto& of : c.references)
+    EXPECT_NEAR(of.models[0].deviations->largest, 0.0, 1e-9 * of.reference.readings[0].value);
+}
+
 TEST_F(AgainstReferences, AnyInputMaySetTheRows) {
   const std::string block =
       "[{file: x.csv, response: axial_displacement_um, along: {column: E, input: materials.youngs_modulus, unit: "
