@@ -19,13 +19,22 @@ struct SmallVibration {
   AtMost<double, 3> mass, damping, stiffness;
 };
 
+/// Half width of the difference that gives dT_f/dF [N]. Below its first node the table, over the root of the force, has
+/// no slope of its own.
+double force_step(const PrsCurves& curves, double force) {
+  double first = HUGE_VAL;
+  for (std::size_t k = 0; k < curves.forces; ++k)
+    if (curves.root_force[k] != 0.0) first = std::min(first, curves.root_force[k] * curves.root_force[k]);
+  return curves.forces > 0 && std::abs(force) < first ? first : 1e-4 * std::max(std::abs(force), 1.0);
+}
+
 SmallVibration vibration_of(const PrsDrive& d, const WorkingPoint& f, double k) {
   const double r = d.curves.lead / (2.0 * std::numbers::pi), beta = d.material_damping;
   const bool held = f.speed == 0.0, by_speed = d.by == PRS_BY_SPEED;
   SmallVibration all{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
   double g = r, b = 0.0;
   if (!held) {
-    const double speed = f.speed, force = f.force, step = 1e-4 * std::max(std::abs(force), 1.0), share = 1e-3;
+    const double speed = f.speed, force = f.force, step = force_step(d.curves, force), share = 1e-3;
     const int sigma = speed < 0.0 ? -1 : 1;
     const auto friction = [&](double at_force, double at_speed) {
       return prs_friction_torque(&d.curves, at_force, at_speed, sigma);
