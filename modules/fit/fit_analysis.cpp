@@ -388,7 +388,7 @@ Cells cells_of(const FittedCurve& c) {
           std::to_string(c.curve().rows),
           deviation_text(c),
           is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
-          fixed(f.r_squared, 1.0, 5),
+          f.r_squared && *f.r_squared < -10.0 ? digits(f.r_squared, 4) : fixed(f.r_squared, 1.0, 5),
           fixed(f.runs ? std::optional(f.runs->p_value) : std::nullopt, 100.0, 1),
           c.curve().unit};
 }

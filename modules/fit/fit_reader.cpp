@@ -624,9 +624,9 @@ class FitReader : input::VariedInput {
       fail("fit.curves", "got none with `use: fit`; expected one at least; write `use: fit`, or delete the key");
     if (rows < unknowns)
       fail("fit.parameters",
-           "got {} rows, priors included, for {} parameters, offsets included; expected at least as many rows; "
+           "got {} row{}, priors included, for {} parameters, offsets included; expected at least as many rows; "
            "measure more, or fix some parameters",
-           rows, unknowns);
+           rows, rows == 1 ? "" : "s", unknowns);
   }
 
   void read_profile(FitInput& all) const {

@@ -40,6 +40,12 @@ Conditions at_rest(Conditions c) {
   return c;
 }
 
+void add_pressure(LargestForce& largest, const Contacts& contacts, Interface i, double pressure) {
+  largest.peak_pressure = std::max(largest.peak_pressure.value_or(0.0), pressure);
+  const ContactPressure found{i, pressure, contacts.interfaces[i].pressure_limit};
+  if (!largest.pressure || largest.pressure->share() < found.share()) largest.pressure = found;
+}
+
 /// `largest` with the thread loads that `prs solve` gives for it as a load case.
 LargestForce under_solve(const Conditions& conditions, const Contacts& contacts, const std::string& load_case,
                          LargestForce largest, Direction d) {
@@ -66,7 +72,7 @@ LargestForce under_solve(const Conditions& conditions, const Contacts& contacts,
         1 + (loads.threads_per_roller > 0 ? static_cast<int>(most) % loads.threads_per_roller : static_cast<int>(most));
     if (k < loads.peak_pressure.size()) {
       thread.peak_pressure = loads.peak_pressure[k];
-      largest.peak_pressure = std::max(largest.peak_pressure.value_or(0.0), *thread.peak_pressure);
+      add_pressure(largest, contacts, i, *thread.peak_pressure);
     }
   }
   return largest;
@@ -88,8 +94,10 @@ void put_under_preload(const Conditions& conditions, const Contacts& contacts,
       const SideLoads& loads = point.sides[side];
       largest[d]->normal_load =
           std::max({*largest[d]->normal_load, loads.max_normal_load.screw, loads.max_normal_load.nut});
-      if (const std::optional<double> pressure = result.peak_pressure(loads))
-        largest[d]->peak_pressure = std::max(largest[d]->peak_pressure.value_or(0.0), *pressure);
+      for (const Interface i : kInterfaces)
+        if (result.peak_pressure(loads))
+          add_pressure(*largest[d], contacts, i,
+                       contact::at_load(contacts.interfaces[i].hertz, loads.max_normal_load[i]).peak_pressure);
     }
   }
 }
@@ -181,13 +189,13 @@ void warn_of_pressure(ResponseResult& r) {
     return w.code.ends_with("_peak_pressure") || w.code.ends_with("_running_pressure");
   });
   for (const Direction d : kDirections)
-    if (const auto& largest = r.largest[d]; largest && largest->peak_pressure.value_or(0.0) > kStaticPressureLimit)
+    if (const auto& largest = r.largest[d]; largest && largest->pressure && largest->pressure->share() > 1.0)
       r.warnings.push_back(
           Warning{"response", fmt::format("{}_peak_pressure", name(d)),
-                  fmt::format("peak pressure {{value}} exceeds {{limit}}, under {{{:.4g} kN}} in {} at {:.6g} ms",
-                              1e-3 * largest->force, name(d), 1e3 * largest->time),
+                  fmt::format("{} peak pressure {{value}} exceeds {{limit}}, under {{{:.4g} kN}} in {} at {:.6g} ms",
+                              label(largest->pressure->at), 1e-3 * largest->force, name(d), 1e3 * largest->time),
                   "lower speed or torque, soften what stops the load, or take more contacts"}
-              .with(largest->peak_pressure, kStaticPressureLimit, "GPa"_unit));
+              .with(largest->pressure->value, *largest->pressure->limit, "GPa"_unit));
 }
 
 void add_warnings(const Case& c, ResponseResult& r) {

@@ -38,6 +38,7 @@ struct LargestForce {
   std::optional<PerInterface<MostLoaded>> threads = {};  ///< Most loaded threads; without preload.
   std::optional<double> normal_load = {};                ///< Normal load of both sides, present with preload [N].
   std::optional<double> peak_pressure = {};              ///< Largest peak pressure [Pa].
+  std::optional<ContactPressure> pressure = {};          ///< The one nearest to its limit.
 };
 
 struct SettlingResult {

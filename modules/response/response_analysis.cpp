@@ -2,6 +2,7 @@
 
 #include "modules/response/response_figures.h"
 #include "modules/response/response_table.h"
+#include "prs/loads/load_criteria.h"
 #include "prs/record/csv_rows.h"
 
 namespace prs {
@@ -257,23 +258,28 @@ std::vector<Headline> headlines(const ResponseResult& r) {
   if (!*larger) return {};
   std::vector<Headline> all{
       {"Largest force", "force_N", (*larger)->force, larger == &r.largest.tension ? "tension" : "compression"}};
-  if (const std::optional<double> pressure = (*larger)->peak_pressure)
-    all.push_back({"Peak pressure at the largest force", "peak_pressure_MPa", *pressure,
-                   fmt::format("limit {:g} GPa{}", kStaticPressureLimit * "GPa"_per_si,
-                               *pressure > kStaticPressureLimit ? ", not met" : "")});
+  if (const std::optional<ContactPressure> pressure = (*larger)->pressure)
+    all.push_back({"Peak pressure at the largest force", "peak_pressure_MPa", pressure->value,
+                   pressure->limit
+                       ? fmt::format("{}, limit {:g} GPa{}", label(pressure->at), *pressure->limit * "GPa"_per_si,
+                                     pressure->share() > 1.0 ? ", not met" : "")
+                       : fmt::format("{}, no limit is known", label(pressure->at))});
   return all;
 }
 
-std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase&) {
-  FoundCriterion pressure("peak_pressure"), speed("largest_speed"), compression("largest_compression");
+std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase& of) {
+  FoundCriterion found("peak_pressure"), speed("largest_speed"), compression("largest_compression");
   for (const Direction d : kDirections)
-    if (const auto& largest = r.largest[d]; largest && largest->peak_pressure)
-      pressure.take(*largest->peak_pressure * "MPa"_per_si, "response", fmt::format("largest force in {}", name(d)));
-  pressure.best.reset();  // The best value is one of load cases, and a motion has none.
+    if (const auto& largest = r.largest[d]; largest && largest->pressure) {
+      const ContactPressure& nearest = *largest->pressure;
+      const double pressure = of.limits.peak_pressure ? *largest->peak_pressure : nearest.value;
+      take_pressure(found, pressure, nearest.limit, of, "response", fmt::format("largest force in {}", name(d)));
+    }
+  found.best.reset();  // The best value is one of load cases, and a motion has none.
   speed.take(r.run.largest_speed, "response");
   if (const auto& largest = r.largest.compression; largest && largest->force != 0.0)
     compression.take(std::abs(largest->force), "response", "largest force in compression");
-  return {pressure, speed, compression};
+  return {found, speed, compression};
 }
 
 PageSection section(const ResponseResult&) {

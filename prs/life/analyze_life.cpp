@@ -77,6 +77,10 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
     throw CaseError(path,
                     "got loads under which the screw does not turn; expected travel: rolling "
                     "contacts live by revolutions under load; check position, speed and time");
+  if (r.history && !r.history->time.empty() && *r.duration == 0.0)
+    throw CaseError("life.history.time",
+                    "got the same time in all samples, between which the screw turns; expected times that grow; check "
+                    "the column, or leave `time` out");
   if (!(r.largest_force > 0.0) && !c.preload)
     throw CaseError(path, "got no load other than 0; expected loads; check the column of the force");
   if (speed && *speed > 0.0) r.moving_rate = *speed / (2.0 * std::numbers::pi);

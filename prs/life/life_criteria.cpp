@@ -52,8 +52,9 @@ std::string by_pressure(const FlankLife& flank) {
 
 std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase& of) {
   const std::string_view where = loads_of(r);
-  FoundCriterion safety("static_safety"), edge("flank_edge"), pressure("peak_pressure"), temperature("temperature"),
-      stroke("stroke"), speed("largest_speed"), compression("largest_compression");
+  FoundCriterion safety = static_safety_criterion(of.c), edge("flank_edge"), pressure("peak_pressure"),
+                 temperature("temperature"), stroke("stroke"), speed("largest_speed"),
+                 compression("largest_compression");
   if (r.converged()) {
     for (const Direction d : kDirections) {
       const auto& flank = r.flanks[d];
@@ -65,8 +66,8 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
       edge.take(flank->flank_edge_margin(), where, fmt::format("in {}, at rest", name(d)));
       for (const Interface i : kInterfaces)
         if (flank->peak_pressure[i])
-          pressure.take(
-              *flank->peak_pressure[i] * "MPa"_per_si, where,
+          take_pressure(
+              pressure, *flank->peak_pressure[i], r.contacts.interfaces[i].pressure_limit, of, where,
               fmt::format("roller-{}, {}, {}", name(i), name(d),
                           flank->peak_pressure[i] == flank->running_peak_pressure[i] ? "running" : "at rest"));
     }

@@ -75,14 +75,16 @@ constexpr auto rated_of = of<[](auto& life) {
                              is_finite>;
 
 constexpr Quantity<LifeInUse> kLifeInUse[] = {
-    {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>, "that 90 % reach", source::kLife, "life L10 in turns"},
+    {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>,
+     "turns under load, which 90 % reach; ways without force do not count", source::kLife,
+     "life L10 in turns under load"},
     {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>, "by the range of the dynamic capacity",
      source::kLife, "life L10, by the range of C_a"},
     {"l10_hours", of<&LifeInUse::hours, is_finite>,
      "clock hours where the file states time, duration or period, else hours in motion at operation.speed",
      source::kLife, "life L10 in time"},
-    {"l10_moving_hours", of<&LifeInUse::moving_hours, is_finite>, "in motion at operation.speed", source::kLife,
-     "life L10 in time of motion"},
+    {"l10_moving_hours", of<&LifeInUse::moving_hours, is_finite>, "in motion under load at operation.speed",
+     source::kLife, "life L10 in time of motion under load"},
     {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "under load; with life.travel all travel", source::kLife,
      "life L10 in travel"},
     {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum", source::kLife,
@@ -282,7 +284,7 @@ constexpr Quantity<Loads> kLoads[] = {
      }>,
      "of one pass"},
     {"duration_h", of_life<&LifeResult::duration>, "of one pass"},
-    {"mean_load_N", of_life<&LifeResult::mean_load>, "cubic mean over the revolutions", kPalmgrenMean},
+    {"mean_load_N", of_life<&LifeResult::mean_load>, "cubic mean over the revolutions under load", kPalmgrenMean},
     {"largest_force_N", of_life<&LifeResult::largest_force>, "of either direction"},
 };
 

@@ -5,6 +5,7 @@
 #include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {
@@ -43,16 +44,32 @@ double rise_elsewhere(const LoadCaseResult& r) {
   return rise;
 }
 
-FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_rest) {
+void take_pressure(FoundCriterion& found, double pressure, std::optional<double> limit, const JudgedCase& of,
+                   std::string_view load_case, std::string note) {
+  if (of.limits.peak_pressure) limit.reset();
+  if (!of.limits.peak_pressure && !limit)
+    note += fmt::format("; no limit is known, add {}", lacking_pressure_limits(of.c.materials));
+  if (limit) *limit *= "MPa"_per_si;
+  found.take(pressure * "MPa"_per_si, load_case, note, limit);
+}
+
+FoundCriterion pressure_criterion(const Result& result, const JudgedCase& of, bool at_rest) {
   FoundCriterion found("peak_pressure");
   for (const LoadCaseResult& r : result.load_cases) {
-    if (!r.threads || (at_rest && at_rest->preloaded.contains(r.load_case.name))) continue;
+    if (!r.threads || (at_rest && of.preloaded.contains(r.load_case.name))) continue;
     for (const Interface i : kInterfaces)
       if (const auto pressure = largest_pressure(result, r, i))
-        found.take(*pressure * "MPa"_per_si, r.load_case.name,
-                   fmt::format("roller-{}, {}{}", name(i), words_of_text(name(r.loads)),
-                               at_rest ? at_rest->without_preload() : ""));
+        take_pressure(
+            found, *pressure, result.contacts.interfaces[i].pressure_limit, of, r.load_case.name,
+            fmt::format("roller-{}, {}{}", name(i), words_of_text(name(r.loads)), at_rest ? of.without_preload() : ""));
   }
+  return found;
+}
+
+FoundCriterion static_safety_criterion(const Case& c) {
+  FoundCriterion found("static_safety");
+  const std::string lacking = lacking_pressure_limits(c.materials);
+  if (!lacking.empty()) found.why = fmt::format("add {}, or life.static_capacity", lacking);
   return found;
 }
 
@@ -82,9 +99,10 @@ FoundCriterion stiffness_criterion(const Result& result, const JudgedCase& of, c
     // Loads across the axis move the screw too, so that force over displacement may be no stiffness; a tilted or
     // offset seat moves it without any load.
     const SpatialLoad& spatial = load.spatial;
-    const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
+    const bool against = r.axial_stiffness.value_or(0.0) < 0.0;
+    const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{} || against;
     if (!askew) take(r.axial_stiffness, "");
-    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, since something acts across the axis");
+    if (spatial.acts_across() || against) take(r.tangent_stiffness, ", tangent, since something acts across the axis");
   }
   return found;
 }
@@ -105,7 +123,7 @@ void take_temperatures(FoundCriterion& found, const PerPart<double>& kelvin, std
 }
 
 std::vector<FoundCriterion> load_criteria(const Result& result, const JudgedCase& of, const InSeriesOf& in_series) {
-  return {pressure_criterion(result, &of), stiffness_criterion(result, of, in_series),
+  return {pressure_criterion(result, of, true), stiffness_criterion(result, of, in_series),
           convergence(failed_cases(result, "thread loads", [](const LoadCaseResult& r) { return r.converged(); }))};
 }
 

@@ -10,9 +10,16 @@ namespace prs {
 /// Largest normal load of all positions of a turn or a travel over that of the position where the carrier stands.
 double rise_elsewhere(const LoadCaseResult& r);
 
+/// Takes a peak pressure [Pa]. Where the case states no limit, it is held against the one that is known of the contact.
+void take_pressure(FoundCriterion& found, double pressure, std::optional<double> limit, const JudgedCase& of,
+                   std::string_view load_case, std::string note);
+
 /// Pressures of load cases, on both flanks and in all positions. `at_rest`: of loads at rest, without the load cases
 /// that are judged under preload.
-FoundCriterion pressure_criterion(const Result& result, const JudgedCase* at_rest = nullptr);
+FoundCriterion pressure_criterion(const Result& result, const JudgedCase& of, bool at_rest);
+
+/// The static safety, which lacks the pressure that a part may have.
+FoundCriterion static_safety_criterion(const Case& c);
 
 /// `slip of 1 of 3 load cases`, of those that `good` does not hold for; empty without any.
 std::string failed_cases(const Result& result, std::string_view what, bool (*good)(const LoadCaseResult&));

@@ -158,12 +158,18 @@ Figure peak_pressure(const Result& result, const FigureOptions& options) {
                                  loads_of<&InterfaceLoads::peak_pressure>, "MPa"_per_si, has_pressure},
                                 result, options);
   const PerInterface<InterfaceContact>& of = result.contacts.interfaces;
-  if (!of.screw.pressure_limit || !of.nut.pressure_limit) return from_zero(std::move(figure));
-  const double pressure = std::min(*of.screw.pressure_limit, *of.nut.pressure_limit);
-  const std::size_t limit = figure.add(fmt::format("static limit {:.1f} GPa{}", pressure * "GPa"_per_si,
-                                                   pressure == kStaticPressureLimit ? ", ISO 76" : ""),
-                                       line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
-  for (Panel& panel : figure.panels) panel.references.push_back({limit, pressure * "MPa"_per_si});
+  const std::optional<double>&screw = of.screw.pressure_limit, &nut = of.nut.pressure_limit;
+  if (!screw && !nut) return from_zero(std::move(figure));
+  const auto text = [](const std::optional<double>& limit) {
+    return fixed_with_unit(limit, "GPa", 1) + (limit == kStaticPressureLimit ? ", ISO 76" : "");
+  };
+  const std::size_t limit =
+      figure.add(screw == nut ? fmt::format("static limit {}", text(nut))
+                              : fmt::format("static limit: roller-screw {}; roller-nut {}", text(screw), text(nut)),
+                 line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
+  for (const auto p : indices(figure.panels))  // Panels of the screw and of the nut take turns.
+    if (const std::optional<double>& pressure = p % 2 == 0 ? screw : nut)
+      figure.panels[p].references.push_back({limit, *pressure * "MPa"_per_si});
   return from_zero(std::move(figure));
 }
 

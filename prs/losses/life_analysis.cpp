@@ -106,7 +106,8 @@ std::string capacities(const LifeResult& r, bool all) {
                                   "it {} million revolutions",
                                   r.modified->factor, r.modified->film_ratio, r.modified->viscosity_ratio,
                                   *r.life.contamination, cell(r.modified->factor * r.system_life, 1e-6)));
-  text += life_line("mean load F_m", kilonewtons(r.mean_load));
+  text +=
+      life_line("mean load F_m", kilonewtons(r.mean_load) + (r.life.travel ? "; ways without force do not count" : ""));
   text += life_line("largest force", kilonewtons(r.largest_force));
   if (r.life.static_capacity)
     text += life_line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");

@@ -100,7 +100,9 @@ std::string summary(const PreloadResult& r) {
         (r.temperature ? preload_line("at the temperatures of the parts", fixed_with_unit(r.force(), "kN", 3)) : "") +
         preload_line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
                      fixed_with_unit(r.interference, "µm", 3)) +
-        preload_line("a side opens at", both(r.opening_force, "kN", 3)) +
+        preload_line("a side opens at", !r.opening_force.tension && !r.opening_force.compression
+                                            ? "no load of the range"
+                                            : both(r.opening_force, "kN", 3)) +
         preload_line("stiffness at zero load", both(r.curve.stiffness_at_zero, "N/µm", 1));
   const std::string load = r.lost_motion_load < kSmallLoad
                                ? fmt::format("{:.3g} {}", shown(r.lost_motion_load, "N"), table_unit("N").text)

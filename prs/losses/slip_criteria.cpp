@@ -89,7 +89,8 @@ FoundCriterion film(const Result& slip, const Case& c) {
   FoundCriterion found("film", !c.lubricant      ? "no lubricant"
                                : !c.roughness    ? "add roughness"
                                : slip.heat_cycle ? "the temperatures of the duty did not converge"
-                                                 : "the slip did not converge");
+                               : std::ranges::all_of(slip.load_cases, has_answer) ? "no thread touches"
+                                                                                  : "the slip did not converge");
   found.applies = c.lubricant.has_value();
   const std::optional<Result> mean = films_over_duty(slip, c);
   if (slip.heat_cycle && !mean) return found;
@@ -100,7 +101,7 @@ FoundCriterion film(const Result& slip, const Case& c) {
           if (ratio > 0.0)
             found.take(ratio, r.load_case.name,
                        fmt::format("roller-{}{}{}", name(i), mean ? ", at the mean temperatures of the duty" : "",
-                                   c.life ? "; the life above is that of full, clean films" : ""));
+                                   c.life ? "; lives are those of full, clean films" : ""));
   return found;
 }
 
@@ -137,7 +138,7 @@ std::vector<FoundCriterion> slip_criteria(const Result& slip, const JudgedCase& 
   // Slip has running loads of warm parts, but in a duty cycle at steady temperatures that it never reaches; in a
   // mission at its mean ones.
   const bool is_steady = !slip.heat_cycle || slip.heat_cycle->is_mission();
-  std::vector<FoundCriterion> all{is_steady ? pressure_criterion(slip) : FoundCriterion("peak_pressure"),
+  std::vector<FoundCriterion> all{is_steady ? pressure_criterion(slip, of, false) : FoundCriterion("peak_pressure"),
                                   efficiency(slip, of.c), film(slip, of.c)};
   if (of.c.heat) all.push_back(temperature(slip));
   if (is_steady) {

@@ -336,8 +336,8 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& 
   if (solved) {
     const StaticRating rating{*solved * force, *load_measures.solved_static_safety_limit};
     add(beyond_static_rating(force, rating));
-    if (load_measures.flank_edge_margin && m.static_capacity)
-      add(flank_edge_near("an ellipse", *load_measures.flank_edge_margin * force, *m.static_capacity, force));
+    if (load_measures.flank_edge_margin)
+      add(flank_edge_near("an ellipse", *load_measures.flank_edge_margin * force, rating.force, force));
   } else if (const auto rating = equal_shares_static_rating(c, m)) {
     add(beyond_static_rating(force, *rating, "with equal thread loads, "));
   }

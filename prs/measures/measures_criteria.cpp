@@ -53,9 +53,10 @@ void take_static_limits(const MeasuresResult& r, const JudgedCase& of, FoundCrit
 
 InSeriesOf in_series_of(const MeasuresResult& r, const JudgedCase& of) {
   return [&r, &of](const LoadCase& load) -> std::optional<InSeries> {
-    const auto k = static_cast<std::size_t>(std::ranges::find(of.c.load_cases, load.name, &LoadCase::name) -
-                                            of.c.load_cases.begin());
-    if (k == r.load_measures.size()) return std::nullopt;
+    const auto name_of = [](const LoadCaseResult& loaded) -> const std::string& { return loaded.load_case.name; };
+    const auto k = static_cast<std::size_t>(std::ranges::find(r.analysis.load_cases, load.name, name_of) -
+                                            r.analysis.load_cases.begin());
+    if (k >= r.load_measures.size()) return std::nullopt;
     if (const auto& m = r.load_measures[k]; m && m->system_stiffness) {
       const auto& mechanism = m->system_stiffness->contributions.mechanism;
       return InSeries{"Stiffness of the axis",
@@ -74,7 +75,7 @@ InSeriesOf in_series_of(const MeasuresResult& r, const JudgedCase& of) {
 
 std::vector<FoundCriterion> measures_criteria(const MeasuresResult& r, const JudgedCase& of) {
   std::vector<FoundCriterion> all = load_criteria(r.analysis, of, in_series_of(r, of));
-  FoundCriterion safety("static_safety"), edge("flank_edge");
+  FoundCriterion safety = static_safety_criterion(of.c), edge("flank_edge");
   take_static_limits(r, of, safety, edge);
   const bool lacks = lacks_shaft(of.c);
   FoundCriterion weight("weight", lacks ? kAddShaft : "add structure and materials.density");

@@ -166,9 +166,10 @@ inline constexpr CriterionRow kCriteria[] = {
      .title = "Deviation over tolerance",
      .sense = Sense::greatest,
      .source = LimitSource::stated},
-    {.name = "axial_play", .title = "Axial play of the threads", .unit = "mm"},
+    {.name = "axial_play", .title = "Least play of an interface", .unit = "mm"},
     {.name = "convergence", .title = "Convergence", .why = "all converged", .before = "not converged: "},
     {.name = "contacts_per_roller", .title = "Contacts per roller", .source = LimitSource::recommended},
+    {.name = "rollers", .title = "Rollers", .source = LimitSource::recommended},
     {.name = "input", .title = "Input"},
     {.name = "largest_speed", .sense = Sense::greatest, .of_drive = true},        ///< [rad/s]
     {.name = "largest_compression", .sense = Sense::greatest, .of_drive = true},  ///< [N]
@@ -193,18 +194,27 @@ struct FoundCriterion {
   std::string where = {}, note = {}, why = {};  ///< Load case of the worst; what limits it; why there is no value.
   std::string_view title = {}, unit = {};       ///< Title and unit in place of those of the row.
   std::optional<double> limit = {};             ///< Limit that is stated elsewhere than in `limits`.
-  std::optional<double> physical = {};          ///< Physical limit, where the row has none.
+  std::optional<double> physical = {};          ///< Physical limit of the place, where the row has none.
   std::optional<Standing> standing = {};        ///< Standing that no comparison gives; the limit is then shown alone.
   bool applies = true;
 
-  /// Takes the worst and the best value. NaN is no value.
-  void take(std::optional<double> v, std::string_view load_case, std::string_view what = {});
+  /// Takes the worst and the best value. NaN is no value. `bound`: the physical limit of its place; values of places
+  /// with different ones compare by their shares of these, one without a limit as if it were just met.
+  void take(std::optional<double> v, std::string_view load_case, std::string_view what = {},
+            std::optional<double> bound = {});
   /// Adds what another analysis finds.
   void add(const FoundCriterion& other);
+
+ private:
+  bool is_worse(double v, std::optional<double> bound) const;
 };
 
 /// `thread loads of 1 of 3 load cases` of what did not converge; all of it stands in the verdict.
 FoundCriterion convergence(const std::string& failed);
+
+/// Inputs without which no limit of the contact pressure of a part is known, `materials.nut.static_pressure_limit`;
+/// empty where none lacks.
+std::string lacking_pressure_limits(const std::optional<Materials>& materials);
 
 /// Length of the nut, or of the rollers' threads that travel in an inverted one [m]; none where there is no stroke.
 std::optional<double> loaded_length(const Case& c);

@@ -44,7 +44,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_N_s_per_m", "N s/m", 1.0},
     {"_rad_per_m", "rad/m", 1.0},
     {"_m_per_s", "m/s", 1.0},
-    {"_mm_per_min", "mm/min", 60e3},
+    {"_mm_per_min", "mm/min", 60e3, "in/min", 60.0 * kPerInch},
     {"_m_per_s2", "m/s²", 1.0},
     {"_mm_per_s", "mm/s", 1e3, "in/s", kPerInch},
     {"_W_per_K", "W/K", 1.0},

@@ -63,7 +63,7 @@ ResponseTitle response_title(std::string_view path) {
     if (key.ends_with(']')) index = take_index(key, of_threads ? "roller" : "") + index;
     std::string_view words = word(kWords, key);
     key.remove_suffix(unit_of(key).suffix.size());
-    if (key == "slip" || key == "contact" || key == "measures" || key == "heat") continue;
+    if (name.empty() && (key == "slip" || key == "contact" || key == "measures" || key == "heat")) continue;
     if (path.empty() && (key == "max" || key == "min" || key == "mean")) {
       summary = words;
     } else if (key == "screw" || key == "roller" || key == "nut" || key.starts_with("carrier_")) {

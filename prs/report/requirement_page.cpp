@@ -39,7 +39,8 @@ std::string items_html(const std::vector<Item>& items, std::initializer_list<std
 std::string requirement_inputs_html(const SizeResult& r) {
   std::vector<std::vector<std::string>> rows;
   for (const input::EchoEntry& f : r.input.fields)
-    rows.push_back({breakable_html(f.path), prose_html(f.value), f.is_default ? "default" : "given"});
+    rows.push_back({breakable_html(f.path), prose_html(f.written.empty() ? f.value : f.written),
+                    f.is_default ? "default" : "given"});
   return folded_html("Every input", plain_table({"Input", "Value", ""}, rows));
 }
 

@@ -65,6 +65,7 @@ std::string readiness(const CheckResult& result) {
       what = missing.empty() ? "" : fmt::format("add {}", fmt::join(missing, ", "));
       if (!wrong.empty()) what += fmt::format("{} {}", what.empty() ? "change" : "; change", fmt::join(wrong, ", "));
     }
+    if (!command.failure.empty()) what = "found an error, see below";
     text += fmt::format("  {:<12} {}\n", name(command.command), printable(what));
   }
   const std::vector<const Problem*> problems = problems_of(result);
@@ -128,12 +129,14 @@ std::string derived(const Contacts& contacts) {
 }
 
 constexpr Quantity<CommandNeeds> kNeeds[] = {
-    {"ready", always<[](auto& command) { return command.is_built && command.unmet.empty(); }>},
+    {"ready",
+     always<[](auto& command) { return command.is_built && command.unmet.empty() && command.failure.empty(); }>},
     {"not_built",
      filled<[](auto& command) { return std::string(command.is_built ? "" : "scripts/install.sh builds all"); }>,
      "how to get a command that this program leaves out"},
     {"missing", filled<[](auto& command) { return unmet_paths(command, true); }>, "what to add"},
     {"wrong", filled<[](auto& command) { return unmet_paths(command, false); }>, "what to change"},
+    {"error", filled<[](auto& command) { return command.failure; }>, "that the command found in a complete input"},
     {"loads", of<&CommandNeeds::loads>, "static | running, of commands that have loads of threads"},
 };
 
@@ -382,6 +385,9 @@ CheckResult checked_with_verdict(const Source& source, const CaseInput& in) {
                         (command == Command::solve && has_loads) || (command == Command::compare && !has_references);
     if (analysis.is_judged && !is_had) attempt(command);
   }
+  for (const Attempt& made : attempts)
+    if (!made.delivery && made.lacking == Attempt::Lacking::input)
+      std::ranges::find(result.commands, made.command, &CommandNeeds::command)->failure = made.failure;
   const LifeResult* life = nullptr;
   for (const auto& delivery : deliveries)
     if (const auto* found = delivery->result<LifeResult>()) life = found;

@@ -10,7 +10,8 @@ struct CommandNeeds {
   Command command = Command::check;
   std::vector<Problem> unmet;
   std::optional<ModelOptions::Loads> loads;  ///< Kind of loads that a command with loads of threads uses.
-  bool is_built = true;  ///< false if the program omits the command, or a part that the case requests (PRS_FULL).
+  bool is_built = true;      ///< false if the program omits the command, or a part that the case requests (PRS_FULL).
+  std::string failure = {};  ///< Error that it found in a complete input.
 };
 
 /// The resolved case, derived numbers, warnings, and the commands with complete inputs.

@@ -6,6 +6,7 @@
 #include "prs/loads/load_criteria.h"
 #include "prs/losses/slip_criteria.h"
 #include "prs/measures/measures_criteria.h"
+#include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"
 
 namespace prs {
@@ -34,15 +35,14 @@ std::optional<FoundCriterion> axial_play(const Contacts& contacts) {
   return found;
 }
 
-/// A nut with so few threads is no screw that anybody makes; catalogues have 20 contacts and more.
-std::optional<FoundCriterion> few_contacts(const Mechanism& mechanism) {
-  constexpr int kLeast = 8;
-  if (mechanism.contacts_per_roller >= kLeast) return std::nullopt;
-  FoundCriterion found("contacts_per_roller");
-  found.value = mechanism.contacts_per_roller;
-  found.limit = kLeast;
+/// A count below the least that is usual.
+std::optional<FoundCriterion> few(CriterionKey key, int count, int least, const char* note) {
+  if (count >= least) return std::nullopt;
+  FoundCriterion found(key);
+  found.value = count;
+  found.limit = least;
   found.standing = Standing::amber;
-  found.note = "makers' nuts have more: check the length of the nut";
+  found.note = note;
   return found;
 }
 
@@ -64,15 +64,8 @@ FoundCriterion following(CriterionKey key, const FoundCriterion& other, std::opt
 }  // namespace
 
 std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contacts) {
-  FoundCriterion pressure("peak_pressure"), speed("largest_speed", "add operation.speed"),
-      compression("largest_compression"), diameter("nut_diameter"), length("nut_length"),
-      stroke("stroke", "add life.stroke");
-  pressure.physical = kStaticPressureLimit * "MPa"_per_si;
-  if (const auto& m = c.materials) {
-    pressure.physical.reset();
-    for (const auto& limit : {static_pressure_limit(m->screw, m->roller), static_pressure_limit(m->nut, m->roller)})
-      if (limit) pressure.physical = std::min(*limit * "MPa"_per_si, pressure.physical.value_or(HUGE_VAL));
-  }
+  FoundCriterion speed("largest_speed", "add operation.speed"), compression("largest_compression"),
+      diameter("nut_diameter"), length("nut_length"), stroke("stroke", "add life.stroke");
   for (const LoadCase& load : c.load_cases) {
     if (load.speed) speed.take(std::abs(*load.speed), load.name);
     if (axial_force_on_nut(load) < 0.0) compression.take(std::abs(load.axial_force), load.name);
@@ -85,11 +78,22 @@ std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contact
   take_nut(c, &Structure::Nut::length, length);
   if (const auto loaded = loaded_length(c); loaded && c.life->stroke)
     stroke.take(*c.life->stroke / *loaded, "life.stroke", "life of shorter strokes needs a calculation of its own");
-  std::vector<FoundCriterion> all{pressure, speed, compression, diameter, length, stroke};
+  std::vector<FoundCriterion> all{speed, compression, diameter, length, stroke};
   if (!c.heat) all.push_back({"temperature", "add heat"});
-  for (std::optional<FoundCriterion>& found : std::array{axial_play(contacts), few_contacts(c.mechanism)})
+  for (std::optional<FoundCriterion>& found : std::array{
+           axial_play(contacts),
+           few("contacts_per_roller", c.mechanism.contacts_per_roller, 8,  // Catalogues have 20 contacts and more.
+               "makers' nuts have more: check the length of the nut"),
+           few("rollers", c.mechanism.rollers, 3, "fewer do not centre the screw")})
     if (found) all.push_back(*found);
   return all;
+}
+
+std::optional<MeasuresResult> measures_under_load(const Case& c) {
+  const auto is_idle = [](const LoadCase& load) { return load.axial_force == 0.0; };
+  Case loaded = c;
+  if (std::erase_if(loaded.load_cases, is_idle) == 0 || loaded.load_cases.empty()) return std::nullopt;
+  return missing(loaded, Command::measures).empty() ? std::optional(analyze_measures(loaded)) : std::nullopt;
 }
 
 std::optional<MeasuresResult> warm_measures(const Case& c, const MeasuresResult& measures, const Result* slip) {
@@ -97,9 +101,10 @@ std::optional<MeasuresResult> warm_measures(const Case& c, const MeasuresResult&
   MeasuresResult warm = measures;
   for (const auto k : indices(warm.load_measures)) {
     Conditions of_case = c;
-    of_case.deviations.temperature = temperature_of(*slip, c, k);
+    of_case.load_cases = {warm.analysis.load_cases[k].load_case};
+    const auto place = std::ranges::find(c.load_cases, of_case.load_cases.front().name, &LoadCase::name);
+    of_case.deviations.temperature = temperature_of(*slip, c, static_cast<std::size_t>(place - c.load_cases.begin()));
     if (!of_case.deviations.temperature) return std::nullopt;
-    of_case.load_cases = {c.load_cases[k]};
     MeasuresResult one = analyze_measures(of_case, measures.analysis.contacts);
     warm.load_measures[k] = std::move(one.load_measures.front());
     warm.analysis.load_cases[k] = std::move(one.analysis.load_cases.front());
@@ -126,7 +131,7 @@ std::optional<PreloadedLoads> loads_under_preload(const Case& c, const Contacts&
 
 std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded, const JudgedCase& of,
                                                const MeasuresResult* measures) {
-  FoundCriterion safety("static_safety"), edge("flank_edge");
+  FoundCriterion safety = static_safety_criterion(of.c), edge("flank_edge");
   for (const auto k : indices(preloaded.forces)) {
     const auto& [rating, edge_load] = preloaded.forces[k];
     const LoadCase& load = preloaded.loads.load_cases[k].load_case;
@@ -135,7 +140,7 @@ std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded, 
     if (edge_load) edge.take(*edge_load / load.axial_force, load.name, "at rest under preload");
   }
   const bool is_play = of.c.preload->backlash.has_value();
-  return {pressure_criterion(preloaded.loads), safety, edge,
+  return {pressure_criterion(preloaded.loads, of, false), safety, edge,
           is_play
               ? FoundCriterion("stiffness")
               : stiffness_criterion(preloaded.loads, of, measures ? in_series_of(*measures, of) : InSeriesOf{}, true),
@@ -164,8 +169,10 @@ FoundCriterion critical_speed_share(const Case& c, const MeasuresResult& measure
   if (speed.value && critical) return following("critical_speed_share", speed, *speed.value / *critical);
   FoundCriterion found("critical_speed_share", !turns           ? "the nut turns, not the screw"
                                                : lacks_shaft(c) ? kAddShaft
-                                               : !critical      ? "no critical speed"
-                                                                : std::string_view(speed.why));
+                                               : !critical && c.materials && !c.materials->screw.density
+                                                   ? "add materials.screw.density"
+                                               : !critical ? "no critical speed"
+                                                           : std::string_view(speed.why));
   found.applies = turns;
   return found;
 }

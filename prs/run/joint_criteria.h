@@ -10,6 +10,10 @@ namespace prs {
 /// Criteria of the case itself: what it states of speeds, compression, nut and stroke, the play of its threads.
 std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contacts);
 
+/// Measures without the load cases that have no force, which `measures` refuses: `slip` alone takes them, under
+/// preload. Nothing where there are none, or the inputs are incomplete.
+std::optional<MeasuresResult> measures_under_load(const Case& c);
+
 /// Measures of load cases at the temperatures that `slip` finds for their losses. Nothing where these are not known.
 std::optional<MeasuresResult> warm_measures(const Case& c, const MeasuresResult& measures, const Result* slip);
 

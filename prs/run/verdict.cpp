@@ -80,13 +80,13 @@ struct Evidence {
     return why == lacking.end() ? nullptr : &why->second;
   }
 
-  /// All that was found of a criterion; nothing where there is a limit alone, or a value of `preload` alone.
+  /// All that was found of a criterion; nothing where there is a value of `preload` alone.
   std::optional<FoundCriterion> sum(const CriterionRow& row) const {
     std::optional<FoundCriterion> sum;
     bool is_known = false;
     for (const auto& [command, part] : found) {
       if (part.row != &row) continue;
-      is_known = is_known || (command != Command::preload && !part.physical);
+      is_known = is_known || command != Command::preload;
       if (sum)
         sum->add(part);
       else
@@ -187,18 +187,23 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
   const Result* const slip = slipped ? slipped->delivery->result<Result>() : nullptr;
   const Attempt* const at_rest = at_rest_of(attempts);
   const MeasuresResult* measures = at_rest ? at_rest->delivery->result<MeasuresResult>() : nullptr;
+  const std::optional<MeasuresResult> under_load = at_rest ? std::nullopt : measures_under_load(c);
+  if (under_load) measures = &*under_load;
   const std::optional<MeasuresResult> warm = measures ? warm_measures(c, *measures, slip) : std::nullopt;
   if (warm) measures = &*warm;
 
   evidence.add(Command::check, case_criteria(c, find_contacts(c.mechanism, c.materials)));
   JudgedCase of{c, in.limits.value_or(Limits{})};
   std::optional<PreloadedLoads> preloaded;
-  if (at_rest) {
+  if (at_rest || under_load) {
     const Result& loads = measures ? measures->analysis : *at_rest->delivery->result<Result>();
     preloaded = preloaded_of(in, loads.contacts, slip, evidence, verdict);
     if (preloaded)
       for (const LoadCaseResult& r : preloaded->loads.load_cases) of.preloaded.insert(r.load_case.name);
-    evidence.add(at_rest->command, warm ? measures_criteria(*warm, of) : at_rest->delivery->criteria(of));
+    if (warm || under_load)
+      evidence.add(Command::measures, measures_criteria(*measures, of));
+    else
+      evidence.add(at_rest->command, at_rest->delivery->criteria(of));
   }
   if (const std::string* const why = c.preload ? evidence.why_not(Command::preload) : nullptr)
     evidence.add(Command::solve, {convergence(fmt::format("preload ({})", *why))});

@@ -585,6 +585,12 @@ std::string asked(const SizeResult& r) {
   return hanging("Asked for: ", 11, fmt::format("{}", fmt::join(parts, ", ")));
 }
 
+/// Unit of tables for one of documents: `degC` where tables have no other.
+std::string unit_in_tables(std::string_view unit) {
+  const ShownUnit tables = table_unit(unit);
+  return std::string(tables.text.empty() ? unit : tables.text);
+}
+
 std::string verdict(const SizeResult& r) {
   const std::size_t passing = r.passing(), invalid = r.invalid.size();
   const std::string refused = invalid == 0 ? "" : fmt::format("; {} cannot be made: see size.json", invalid);
@@ -594,13 +600,19 @@ std::string verdict(const SizeResult& r) {
   std::ranges::transform(missed, missed.begin(), words_of);
   std::string text = fmt::format("NOTHING PASSES, of {} candidates{}\n", r.candidates.size() + invalid, refused);
   text += hanging("  ", 2, fmt::format("The nearest, {}, misses {}.", nearest.name, fmt::join(missed, ", ")));
-  if (r.relax)
-    text += hanging(
-        "  ", 2,
-        fmt::format("To relax: with {} of {:.4g} in place of {:.4g}, {} passes.", words_of(r.relax->criterion),
-                    r.relax->needed, r.relax->limit, r.candidates[static_cast<std::size_t>(r.relax->rank) - 1].name));
-  else
+  if (r.relax) {
+    const SizedCandidate& passes = r.candidates[static_cast<std::size_t>(r.relax->rank) - 1];
+    const auto of = std::ranges::find(passes.criteria, r.relax->criterion, &SizeCriterion::name);
+    const auto text_in = [&](double value) {
+      const std::string unit = unit_in_tables(of->unit);
+      return fmt::format("{:.4g}{}{}", value * table_factor(of->unit), unit.empty() ? "" : " ", unit);
+    };
+    text += hanging("  ", 2,
+                    fmt::format("To relax: with {} of {} instead of {}, {} passes.", words_of(r.relax->criterion),
+                                text_in(r.relax->needed), text_in(r.relax->limit), passes.name));
+  } else {
     text += hanging("  ", 2, "To relax: no limit alone suffices. Relax several, change the motion, or add candidates.");
+  }
   return text;
 }
 
@@ -680,12 +692,14 @@ std::string bar(double margin) {
 }
 
 std::string criteria_rows(const SizedCandidate& c) {
-  std::string text = fmt::format("{}, {:.6g} x {:.6g} mm, {} starts\n", c.name, 1e3 * c.screw.screw_diameter,
-                                 1e3 * c.screw.lead, c.starts);
+  std::string text = fmt::format("{}, {:.6g} x {:.6g} {}, {} starts\n", c.name, shown(c.screw.screw_diameter, "mm"),
+                                 shown(c.screw.lead, "mm"), table_unit("mm").text, c.starts);
   text += fmt::format("  {:<30}{:>10}{:>10}{:>9}\n", "", "value", "limit", "margin");
   for (const SizeCriterion& k : c.criteria) {
-    std::string line = "  " + padded(words_of(k.name) + (k.unit.empty() ? "" : fmt::format(", {}", k.unit)), 30, true);
-    line += padded(significant(k.value, 4), 10, false) + padded(significant(k.limit, 6), 10, false);
+    const auto in = [&](std::optional<double> of) { return of ? std::optional(*of * table_factor(k.unit)) : of; };
+    std::string line =
+        "  " + padded(words_of(k.name) + (k.unit.empty() ? "" : ", " + unit_in_tables(k.unit)), 30, true);
+    line += padded(significant(in(k.value), 4), 10, false) + padded(significant(in(k.limit), 6), 10, false);
     line += padded(significant(k.margin, 4), 9, false) + "  ";
     if (k.status != CriterionStatus::pass) line += words_of(name(k.status)) + " ";
     line += k.margin ? bar(*k.margin) : k.reason;

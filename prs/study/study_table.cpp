@@ -166,7 +166,8 @@ std::string study_failures(const StudyResult& result) {
   const std::size_t failed = result.refused + result.failed;
   if (failed == 0) return "";
   const bool drawn = is_sampled(result.study.plan);
-  std::string text = fmt::format("{} of {} designs without an answer\n", failed, result.designs);
+  std::string text =
+      fmt::format("{} of {} designs, the base case included, without an answer\n", failed, result.designs);
   std::size_t shown = 0;
   for (std::size_t k = 0; k < result.rows.size() && shown < kMostReasons; ++k) {
     const StudyRow& row = result.rows[k];

@@ -136,11 +136,13 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warni
 /// meet.
 void warn_of_crowding(const Contacts& c, std::vector<Warning>& warnings) {
   const int most = contact::largest_roller_count(c.threads);
-  if (c.mechanism.rollers > most)
-    warnings.push_back(Warning{"mechanism.rollers", "crowded_rollers",
-                               "{value} rollers touch each other at crests where the flanks meet: {limit} fit",
-                               "state `mechanism.thread.roller`"}
-                           .with(c.mechanism.rollers, most));
+  if (c.mechanism.rollers <= most) return;
+  const bool stated = c.mechanism.thread.roller.has_value();
+  warnings.push_back(Warning{"mechanism.rollers", "crowded_rollers",
+                             stated ? "{value} rollers touch each other at their crests: {limit} fit"
+                                    : "{value} rollers touch each other at crests where the flanks meet: {limit} fit",
+                             stated ? "take fewer" : "state `mechanism.thread.roller`"}
+                         .with(c.mechanism.rollers, most));
 }
 
 void warn(Contacts& c) {

@@ -37,6 +37,16 @@ struct InterfaceContact {
   double normal_angle() const { return geometry.point.normal_angle(); }
 };
 
+/// A peak pressure and the largest one that its contact may have at rest [Pa]; absent where none is known.
+struct ContactPressure {
+  Interface at = Interface::screw;
+  double value = 0.0;
+  std::optional<double> limit = {};
+
+  /// Share of the limit; without one as if it were just met.
+  double share() const { return limit ? value / *limit : 1.0; }
+};
+
 /// Contacts of a mechanism from its thread geometry, before any load.
 struct Contacts {
   /// The mechanism with all pitch diameters and the centre distance, on which analyses compute.

@@ -54,9 +54,11 @@ def some_of(names: Sequence[str]) -> str:
 #: Names with one underscore before them.
 _PRIVATE = re.compile(r"_(?!_)")
 
-#: A document has lists without entries where there are no numbers.
-_NO_NUMBERS = np.empty(0)
-_NO_NUMBERS.flags.writeable = False
+def _no_numbers(count: int) -> npt.NDArray[np.float64]:
+    """So many missing numbers, where the document has a list without entries or of null."""
+    numbers = np.full(count, np.nan)
+    numbers.flags.writeable = False
+    return numbers
 
 
 class Record:
@@ -168,8 +170,8 @@ class Record:
         return content
 
     def _wrapped(self, name: str, value: Any) -> Any:
-        if isinstance(value, list) and not value and name in types_of(type(self)).arrays:
-            return _NO_NUMBERS
+        if isinstance(value, list) and name in types_of(type(self)).arrays and not any(value):
+            return _no_numbers(len(value))
         return self._wrap(value, types_of(type(self)).records.get(name, Values), name)
 
     def _wrap(self, value: Any, record: type[Record], name: str) -> Any:

@@ -1860,7 +1860,7 @@ class LifeLoads(Record):
     revolutions: of one pass
     travel_m [m]: of one pass
     duration_h [h]: of one pass
-    mean_load_N [N]: cubic mean over the revolutions; ISO 281; cubic mean
+    mean_load_N [N]: cubic mean over the revolutions under load; ISO 281; cubic mean
     largest_force_N [N]: of either direction
     """
 
@@ -1910,10 +1910,10 @@ class Cycles(Record):
 class LifeInUse(Record):
     """A life L10 at the value of the dynamic capacity.
 
-    l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
+    l10_revolutions [revolutions]: turns under load, which 90 % reach; ways without force do not count; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
     l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
-    l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_moving_hours [h]: in motion under load at operation.speed; Jung 2017, (8.25); ISO 281
     l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
     rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
@@ -2010,10 +2010,10 @@ class ModifiedLife(Record):
 class WeakestThread(Record):
     """The thread that fails first, of those that turn under load.
 
-    l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
+    l10_revolutions [revolutions]: turns under load, which 90 % reach; ways without force do not count; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
     l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
-    l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_moving_hours [h]: in motion under load at operation.speed; Jung 2017, (8.25); ISO 281
     l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
     rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
@@ -2090,10 +2090,10 @@ class InterfaceLife(Record):
 class DirectionLife(Record):
     """Lives under the loads of one direction.
 
-    l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
+    l10_revolutions [revolutions]: turns under load, which 90 % reach; ways without force do not count; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
     l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
-    l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_moving_hours [h]: in motion under load at operation.speed; Jung 2017, (8.25); ISO 281
     l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
     rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1

@@ -247,6 +247,20 @@ def test_responses_are_what_evaluate_answers(number: int, command: Any) -> None:
             case.evaluate(rollers, [path], command=command)
 
 
+def test_arrays_of_missing_numbers_are_arrays() -> None:
+    case = lesson(12).with_(
+        {
+            "life": {
+                "position": "20 mm",
+                "spectrum": [{"force": "40 kN", "direction": "tension", "share": 1}],
+            }
+        }
+    )
+    flank = case.life().life.compression.screw
+    assert not np.isfinite(flank.l10_revolutions).any()
+    assert not case.responses("life").empty
+
+
 def test_responses_of_commands() -> None:
     paths = lesson(12).responses("preload")["path"].tolist()
     numbers = lesson(12).evaluate({"mechanism.rollers": [9]}, paths[:5], command="preload")

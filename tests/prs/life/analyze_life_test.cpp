@@ -310,6 +310,9 @@ TEST(AnalyzeLife, RefusesLoadsWithoutLife) {
   still.position = {0.0, 0.0};
   EXPECT_THAT(refused(history_case(), still).second, testing::HasSubstr("does not turn"));
   EXPECT_THAT(refused(history_case(), history({0.0, 0.0})).second, testing::HasSubstr("no load other than 0"));
+  LoadHistory stopped = history({1e3, 2e3});
+  stopped.time = {1.0, 1.0};
+  EXPECT_EQ(refused(history_case(), stopped).first, "life.history.time");
   Case c = history_case();
   c.structure->nut.thrust.compression.reset();
   EXPECT_EQ(refused(c, history({1e3, -1e3})).first, "structure.nut.thrust.compression");

@@ -96,7 +96,8 @@ TEST(TableUnits, QuantitiesOfTextsHaveThemTooWithAsManyDigits) {
   EXPECT_EQ(in_table_unit("4.0 GPa"), "580 ksi");
   EXPECT_EQ(in_table_unit("−2.54 mm"), "−0.1 in");
   EXPECT_EQ(in_table_unit("-1e-3 N/µm"), "-5.71e-06 lbf/µin");
-  EXPECT_EQ(in_table_unit("9 mm/min"), "9 mm/min");
+  EXPECT_EQ(in_table_unit("9 m/s"), "9 m/s");
+  EXPECT_EQ(in_table_unit("254 mm/min"), "10 in/min");
   EXPECT_EQ(table_sentence(warning), "a: got 2810 lbf, against 0.0197 in at 899 lbf, `{b: 5 mm}`; write 1");
 }
 

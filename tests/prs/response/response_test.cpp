@@ -366,6 +366,20 @@ TEST(Response, ResonancesAreWhereTheComplianceIsLargest) {
   EXPECT_NEAR(zeta, 100.0 * damping / (2.0 * m * w), 1e-9 * zeta);
 }
 
+/// The friction of a preloaded screw is smooth at no force, and so are the resonances.
+TEST(Response, ResonancesWithoutForceAreThoseOfASmallOne) {
+  const auto resonances = [](const std::string& force) {
+    const Json found = response_of(input::load_source(PRS_SOURCE_DIR "/configs/36_servo_axis.yaml",
+                                                      {"response.frequency_response.force=" + force}));
+    return found["frequency_response"]["resonances"];
+  };
+  const Json without = resonances("0 N"), small = resonances("1 N");
+  ASSERT_EQ(without.size(), small.size());
+  for (std::size_t k = 0; k < small.size(); ++k)
+    EXPECT_NEAR(without[k]["frequency_Hz"], small[k]["frequency_Hz"].get<double>(),
+                0.005 * small[k]["frequency_Hz"].get<double>());
+}
+
 TEST(Response, PanelsOverFrequencyMarkTheResonances) {
   const auto found = [](std::vector<std::string> overrides) {
     const Delivery delivery =

@@ -79,6 +79,12 @@ TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
   }
 }
 
+TEST(Check, ACommandIsNotReadyThatFindsAnError) {
+  const Json life = checked("14_flight_spectrum.yaml", {"life.history.file=missing.csv"})["commands"]["life"];
+  EXPECT_EQ(life["ready"], false);
+  EXPECT_THAT(life["error"].get<std::string>(), HasSubstr("missing.csv"));
+}
+
 TEST(Check, DefaultsStandInTheTableOnlyWithAll) {
   const std::string file = "check configs/01_config_1_to_3.yaml";
   const test::Outcome brief = test::run_prs(file), all = test::run_prs(file + " --all");

@@ -75,6 +75,68 @@ TEST(Verdict, PressureIsThatOfTheMostLoadedThread) {
   EXPECT_EQ(of_case["state"], "red");
 }
 
+/// A soft nut bears less: the contact counts that is nearest to its own limit.
+TEST(Verdict, APressureIsHeldAgainstTheLimitOfItsOwnContact) {
+  const auto materials = [](const std::string& of_nut) {
+    const std::string steel = "{youngs_modulus: 210 GPa, poisson_ratio: 0.3, density: 7800 kg/m^3}";
+    return Overrides{
+        fmt::format("materials={{screw: {0}, roller: {0}, nut: {{youngs_modulus: 110 GPa, poisson_ratio: "
+                    "0.34, density: 8800 kg/m^3{1}}}}}",
+                    steel, of_nut)};
+  };
+  const Json solve = document(Command::solve, kAbevi, materials(""));
+  const auto largest = [&](const char* side) {
+    double most = 0.0;
+    for (const Json& load_case : solve["load_cases"])
+      for (const double p : load_case[side]["peak_pressure_MPa"]) most = std::max(most, p);
+    return most;
+  };
+  const double screw = largest("screw"), nut = largest("nut");
+  ASSERT_LT(nut, screw);
+  const auto pressure = [&](double limit) {
+    return criterion(verdict(kAbevi, materials(fmt::format(", static_pressure_limit: {:.12g} MPa", limit))),
+                     "peak_pressure");
+  };
+  const Json of_screw = pressure(2.0 * nut), of_nut = pressure(0.5 * nut);
+  EXPECT_DOUBLE_EQ(of_screw["value"], screw);
+  EXPECT_EQ(of_screw["limit"], 4000.0);
+  EXPECT_DOUBLE_EQ(of_nut["value"], nut);
+  EXPECT_NEAR(of_nut["limit"], 0.5 * nut, 1e-9 * nut);
+  EXPECT_EQ(of_nut["state"], "red");
+  Overrides unknown = materials("");
+  for (int k = 0; k < 6; ++k) unknown.push_back(fmt::format("load_cases[{}].axial_force=5 kN", k));
+  const Json v = verdict(kAbevi, unknown), of_unknown = criterion(v, "peak_pressure");
+  EXPECT_EQ(of_unknown["state"], "no_limit");
+  EXPECT_THAT(of_unknown["reason"].get<std::string>(), HasSubstr("roller-nut"));
+  EXPECT_THAT(of_unknown["reason"].get<std::string>(), HasSubstr("add materials.nut.static_pressure_limit"));
+  EXPECT_THAT(criterion(v, "static_safety")["reason"].get<std::string>(),
+              HasSubstr("add materials.nut.static_pressure_limit"));
+}
+
+/// A load case without force, which `measures` refuses, takes nothing from the verdict on the others.
+TEST(Verdict, ALoadCaseWithoutForceHidesNoOther) {
+  const auto loads = [](const std::string& more) {
+    const auto load = [](const char* of_case, const char* force, const char* direction) {
+      return fmt::format("{{name: {}, axial_force: {}, direction: {}, position: 29 mm}}", of_case, force, direction);
+    };
+    return fmt::format("load_cases=[{}, {}{}]", load("pull", "40 kN", "tension"), load("push", "20 kN", "compression"),
+                       more.empty() ? "" : ", " + load(more.c_str(), "0 N", "tension"));
+  };
+  const Overrides friction{"friction.model.coulomb=0.1", "operation.speed=300 rpm",
+                           "measures.shaft={length: 300 mm, ends: fixed_supported}"};
+  const auto of = [&](const std::string& more) {
+    Overrides all = friction;
+    all.push_back(loads(more));
+    return verdict("12_preload.yaml", all);
+  };
+  const Json with = of("idle"), without = of("");
+  for (const char* name : {"static_safety", "flank_edge", "peak_pressure", "buckling_safety"}) {
+    ASSERT_TRUE(criterion(without, name).contains("value")) << name;
+    for (const char* key : {"value", "limit", "state", "load_case"})
+      EXPECT_EQ(criterion(with, name)[key], criterion(without, name)[key]) << name;
+  }
+}
+
 struct Limited {
   const char *name, *unit;
   double factor = 1.0;  ///< Ratio of the value in the file to that in the document.
@@ -308,6 +370,7 @@ TEST(Verdict, FewContactsThinFilmsAndShortStrokesAreAmber) {
                       "load_cases[1].axial_force=1 kN"};
   const Json v = verdict("05_standard_screw.yaml", few);
   EXPECT_EQ(criterion(v, "contacts_per_roller")["state"], "amber");
+  EXPECT_EQ(criterion(verdict("05_standard_screw.yaml", {"mechanism.rollers=2"}), "rollers")["state"], "amber");
   const std::string life =
       "life={position: 12 mm, stroke: 146 mm, spectrum: [{force: 2 kN, direction: tension, share: 1}]}";
   const Json thick = verdict("31_running_screw.yaml",

@@ -467,6 +467,7 @@ TEST(Size, TheLargestSpeedIsInTheUnitOfTables) {
   EXPECT_THAT(size_table(r, 1), HasSubstr("largest speed 300 mm/s"));
   const TableUnits us(UnitSystem::us);
   EXPECT_THAT(size_table(r, 1), HasSubstr("largest speed 11.81 in/s"));
+  EXPECT_THAT(size_table(r, 1), HasSubstr("speed times diameter, in/min "));
 }
 
 TEST(Size, ManySamplesAreClasses) {

@@ -31,7 +31,7 @@ TEST(StudyTable, MarksTheBaseCaseInItsPlaceAndGivesReasons) {
   ASSERT_NE(base, std::string::npos) << table;
   EXPECT_LT(one, base);
   EXPECT_LT(base, three);
-  EXPECT_THAT(table, HasSubstr("1 of 4 designs without an answer\n  x=3 refused: mechanism"));
+  EXPECT_THAT(table, HasSubstr("1 of 4 designs, the base case included, without an answer\n  x=3 refused: mechanism"));
 }
 
 TEST(StudyTable, RankingComesFirst) {
@@ -86,7 +86,7 @@ TEST(StudyTable, GridShowsItsExtremes) {
   }));
   EXPECT_THAT(table,
               AllOf(HasSubstr("grid: 6 designs\n"), HasSubstr("min 3: x 1, y 2\n"), HasSubstr("max 9: x 4, y 5\n"),
-                    HasSubstr("2 of 7 designs without an answer\n  x=3, y=2 refused")));
+                    HasSubstr("2 of 7 designs, the base case included, without an answer\n  x=3, y=2 refused")));
   expect_narrow(table);
 }
 
