@@ -201,7 +201,9 @@ void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
                                       fmt::format("not converged: {}, relative residual {:.1e}",
                                                   fe::name(result.solve->status), result.solve->relative_residual)}
                                   .with(result.solve->relative_residual));
-  if (result.solve && result.converged() && !result.full && !result.tangent_stiffness)
+  const auto is_open = [&](Interface i) { return std::ranges::max((*result.threads)[i].normal_load) == 0.0; };
+  const bool carries = result.threads && !std::ranges::all_of(kInterfaces, is_open);
+  if (result.solve && result.converged() && carries && !result.full && !result.tangent_stiffness)
     result.warnings.push_back({"model.refined.poisson", "no_stiffness",
                                "the screw is so much softer than its threads that this effect exceeds all "
                                "deflection, and stiffness is left out",

@@ -84,6 +84,16 @@ std::optional<Result> films_over_duty(const Result& slip, const Case& c) {
   return analyze_slip(warm, slip.contacts, kManyDesigns, oils);
 }
 
+/// Film ratios of all threads, of both nuts where there are two.
+std::vector<std::pair<Interface, double>> film_ratios(const SlipResult& slip) {
+  std::vector<std::pair<Interface, double>> all;
+  for (const SlipResult* nut : {&slip, static_cast<const SlipResult*>(slip.second_nut.get())})
+    for (const Interface i : kInterfaces)
+      if (nut)
+        for (const double ratio : nut->threads[i].film_ratio) all.emplace_back(i, ratio);
+  return all;
+}
+
 /// Central film over roughness, the least of all threads.
 FoundCriterion film(const Result& slip, const Case& c) {
   FoundCriterion found("film", !c.lubricant      ? "no lubricant"
@@ -96,12 +106,11 @@ FoundCriterion film(const Result& slip, const Case& c) {
   if (slip.heat_cycle && !mean) return found;
   for (const LoadCaseResult& r : (mean ? *mean : slip).load_cases)
     if (r.slip && r.slip->converged())
-      for (const Interface i : kInterfaces)
-        for (const double ratio : r.slip->threads[i].film_ratio)
-          if (ratio > 0.0)
-            found.take(ratio, r.load_case.name,
-                       fmt::format("roller-{}{}{}", name(i), mean ? ", at the mean temperatures of the duty" : "",
-                                   c.life ? "; lives are those of full, clean films" : ""));
+      for (const auto& [i, ratio] : film_ratios(*r.slip))
+        if (ratio > 0.0)
+          found.take(ratio, r.load_case.name,
+                     fmt::format("roller-{}{}{}", name(i), mean ? ", at the mean temperatures of the duty" : "",
+                                 c.life ? "; lives are those of full, clean films" : ""));
   return found;
 }
 

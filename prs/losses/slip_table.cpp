@@ -141,16 +141,23 @@ std::string range(const InterfaceSlip& slip, const RangeLine& line) {
   return range(fixed(least, q.unit.text, line.decimals), fixed(largest, q.unit.text, line.decimals));
 }
 
-std::string range_lines(const SlipResult& slip) {
+std::string range_lines(const SlipResult& slip, std::string_view title) {
   const InterfaceSlip &screw = slip.threads.screw, &nut = slip.threads.nut;
-  std::string lines;
-  if (slip.viscosity) lines += number_line("viscosity in operation", *slip.viscosity, "mPa s");
-  lines += block_line("over the threads", "screw", beside({"nut"}));
+  std::string lines = block_line(title, "screw", beside({"nut"}));
   for (const RangeLine& line : kRangeLines)
     if (!quantity<InterfaceSlip>(line.key).value.series(screw).empty())
       lines += block_line(fmt::format("  {}", line.label), range(screw, line), beside({range(nut, line)}));
   if (!screw.film_ratio.empty()) lines += block_line("  lubrication", regimes(screw), beside({regimes(nut)}));
   return lines;
+}
+
+/// Ranges of the threads, of a double nut each nut for itself.
+std::string thread_lines(const SlipResult& slip) {
+  std::string lines;
+  if (slip.viscosity) lines += number_line("viscosity in operation", *slip.viscosity, "mPa s");
+  if (!slip.second_nut) return lines + range_lines(slip, "over the threads");
+  return lines + range_lines(slip, "threads of the first nut") +
+         range_lines(*slip.second_nut, "threads of the second nut");
 }
 
 /// A line with a number for screw, rollers and nut; rollers may have none.
@@ -260,7 +267,7 @@ std::string block(const LoadCaseResult& result, bool all) {
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
   return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) + power_lines(slip) +
-         heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) + (all ? equal_share_lines(slip) : "");
+         heat_lines(result.heat) + thread_lines(slip) + hottest_line(slip) + (all ? equal_share_lines(slip) : "");
 }
 
 // A case in a row.

@@ -181,9 +181,12 @@ void warn_of_result(const Conditions& c, LoadCaseResult& loaded) {
                                imposed ? "check how it was measured" : ""}
                            .with(slip.slip_ratio, slip.ideal_slip_ratio));
   }
-  if (std::ranges::all_of(kInterfaces, [&](Interface i) {
-        return std::ranges::max(slip.threads[i].max_sliding_speed) < contact::kNoDirection;
-      }))
+  const auto is_still = [](const SlipResult& of) {
+    return std::ranges::all_of(kInterfaces, [&](Interface i) {
+      return std::ranges::max(of.threads[i].max_sliding_speed) < contact::kNoDirection;
+    });
+  };
+  if (is_still(slip) && (!slip.second_nut || is_still(*slip.second_nut)))
     warnings.push_back(Warning{speed, "no_sliding",
                                "nothing slides faster than {limit}, where friction has no "
                                "direction any more: the power lost is not that of a moving screw"}

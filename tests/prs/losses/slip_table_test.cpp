@@ -104,6 +104,19 @@ TEST(SlipTable, OpenThreadsAreNoPartOfRanges) {
   EXPECT_TRUE(contains(slip_table(result_of({load_case})), "0.1050–0.1110"));
 }
 
+TEST(SlipTable, EachNutOfADoubleNutHasItsRanges) {
+  LoadCaseResult load_case = with_slip(solved_case("double", 45e3, Direction::tension));
+  SecondNut second{*load_case.slip};
+  for (double& value : second.threads.nut.friction_coefficient) value = 0.0123;
+  load_case.slip->second_nut = std::make_shared<SecondNut>(second);
+  const std::string table = slip_table(result_of({load_case}));
+  EXPECT_TRUE(contains(table, "threads of the first nut"));
+  const std::size_t at = table.find("threads of the second nut");
+  ASSERT_NE(at, std::string::npos) << table;
+  EXPECT_TRUE(contains(table.substr(at), "0.0123")) << table;
+  EXPECT_FALSE(contains(table, "over the threads"));
+}
+
 TEST(SlipTable, RangeHasARowACaseAndFits) {
   Result result = sweep(9);
   result.load_cases[4] = failed_case("sweep[4]");
