@@ -86,22 +86,22 @@ Points points_of(std::string_view text, char separator) {
   static const std::regex thousands(R"([+-]?[1-9]\d{0,2}(?:\.\d{3})+)", std::regex::optimize);
   static const std::regex decimal(R"([+-]?\d*\.\d*(?:[eE][+-]?\d+)?)", std::regex::optimize);
   Points points = Points::decimal;
-  const std::string ends = {separator, '\n', '\r'};
-  for (std::size_t at = text.find('.'); at != text.npos;) {
-    const std::size_t before = text.find_last_of(ends, at), end = std::min(text.find_first_of(ends, at), text.size());
-    const std::size_t begin = before == text.npos ? 0 : before + 1;
-    const std::size_t line = text.find_last_of('\n', at);
-    at = text.find('.', end);
-    if (text[line == text.npos ? 0 : line + 1] == '#') continue;
-    const std::string field =
-        boost::trim_copy_if(std::string(text.substr(begin, end - begin)), boost::is_any_of("\" "));
-    if (field.size() > kLongestNumber) continue;
-    if (!std::regex_match(field, thousands)) {
-      if (std::regex_match(field, decimal)) return Points::decimal;
-    } else if (std::ranges::count(field, '.') > 1) {
-      points = Points::between_thousands;
-    } else if (points == Points::decimal) {
-      points = Points::unclear;
+  for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(line_length(rest))) {
+    if (rest.front() == '#') continue;
+    std::string_view line = rest.substr(0, line_length(rest));
+    while (!line.empty()) {
+      const std::size_t end = std::min(line.find(separator), line.size());
+      std::string field(line.substr(0, end));
+      line.remove_prefix(std::min(end + 1, line.size()));
+      if (field.find('.') == field.npos || field.size() > kLongestNumber) continue;
+      boost::trim_if(field, boost::is_any_of("\" \r\n"));
+      if (!std::regex_match(field, thousands)) {
+        if (std::regex_match(field, decimal)) return Points::decimal;
+      } else if (std::ranges::count(field, '.') > 1) {
+        points = Points::between_thousands;
+      } else if (points == Points::decimal) {
+        points = Points::unclear;
+      }
     }
   }
   return points;
@@ -119,7 +119,7 @@ bool write_with_point(std::string_view field, bool has_commas, std::string& numb
   if (number.starts_with("0.") || number.starts_with("-0.") || number.starts_with("+0.")) return false;
   std::erase_if(number, [](char c) { return c == '.' || c == ' ' || c == '\''; });
   if (parts[2].matched) number += '.' + parts.str(2);
-  if (!has_commas && number.size() < field.size()) number = fmt::format("{} or {}", field, number);
+  if (!has_commas && parts.str(1).find('.') != std::string::npos) number = fmt::format("{} or {}", field, number);
   return true;
 }
 

@@ -132,6 +132,13 @@ const Attempt* at_rest_of(std::span<const Attempt> attempts) {
   return equal && !equal->delivery->result<Result>()->load_cases.empty() ? equal : nullptr;
 }
 
+void add_impossible(Evidence& evidence, const CaseVerdict& verdict) {
+  FoundCriterion input("input");
+  input.standing = Standing::red;
+  input.note = verdict.impossible;
+  evidence.add(Command::check, {input});
+}
+
 /// Adds why commands have no result, and errors that they found in the input. A case without any thread loads is
 /// impossible.
 void add_lacking(const input::CaseInput& in, std::span<const Attempt> attempts, Evidence& evidence,
@@ -156,11 +163,7 @@ void add_lacking(const input::CaseInput& in, std::span<const Attempt> attempts, 
     verdict.impossible = what;
     evidence.lacking[command] = fmt::format("`{}` found an error", name(command));
   }
-  if (verdict.impossible.empty()) return;
-  FoundCriterion input("input");
-  input.standing = Standing::red;
-  input.note = verdict.impossible;
-  evidence.add(Command::check, {input});
+  if (!verdict.impossible.empty()) add_impossible(evidence, verdict);
 }
 
 /// Loads under preload; where they cannot be had, `evidence` says why.
@@ -179,6 +182,22 @@ std::optional<PreloadedLoads> preloaded_of(const input::CaseInput& in, const Con
   }
 }
 
+/// Measures without the load cases that have no force, where these alone keep `measures` from being tried.
+std::optional<MeasuresResult> measures_where_none_was_tried(const Case& c, std::span<const Attempt> attempts,
+                                                            Evidence& evidence, CaseVerdict& verdict) {
+  const auto is_at_rest = [](const Attempt& a) {
+    return a.command == Command::measures || a.command == Command::solve;
+  };
+  if (std::ranges::any_of(attempts, is_at_rest) || c.model.bodies->meshes || !left_out(c).empty()) return std::nullopt;
+  try {
+    return measures_under_load(c);
+  } catch (const CaseError& error) {
+    verdict.impossible = error.problem().text();
+    add_impossible(evidence, verdict);
+    return std::nullopt;
+  }
+}
+
 /// Adds what each analysis found; at rest at the temperatures of the losses, and under preload.
 void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Evidence& evidence,
                CaseVerdict& verdict) {
@@ -187,7 +206,8 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
   const Result* const slip = slipped ? slipped->delivery->result<Result>() : nullptr;
   const Attempt* const at_rest = at_rest_of(attempts);
   const MeasuresResult* measures = at_rest ? at_rest->delivery->result<MeasuresResult>() : nullptr;
-  const std::optional<MeasuresResult> under_load = at_rest ? std::nullopt : measures_under_load(c);
+  const std::optional<MeasuresResult> under_load =
+      at_rest ? std::nullopt : measures_where_none_was_tried(c, attempts, evidence, verdict);
   if (under_load) measures = &*under_load;
   const std::optional<MeasuresResult> warm = measures ? warm_measures(c, *measures, slip) : std::nullopt;
   if (warm) measures = &*warm;

@@ -75,6 +75,7 @@ TEST(CsvReader, PointsBetweenSemicolonsMustShowWhatTheyAre) {
   EXPECT_EQ(rows_of("# 1,5;2.5\na;b\n1.500;2\n"), (Rows{{"a", "b"}, {"1.500 or 1500", "2"}}));
   EXPECT_EQ(rows_of("a;b\n1.500;1.000.000\n"), (Rows{{"a", "b"}, {"1500", "1000000"}}));
   EXPECT_EQ(rows_of("a;b\n\"1\u00a0000,5\";2\n"), (Rows{{"a", "b"}, {"1000.5", "2"}}));
+  EXPECT_EQ(rows_of("a;b\n1\u00a0000;15,5\n"), (Rows{{"a", "b"}, {"1000", "15.5"}}));
 }
 
 TEST(CsvReader, FieldsStandWhereTheyWereWritten) {

@@ -137,6 +137,16 @@ TEST(Verdict, ALoadCaseWithoutForceHidesNoOther) {
   }
 }
 
+/// Errors that only an analysis finds stand in the verdict of such a case too.
+TEST(Verdict, ALoadCaseWithoutForceHidesNoError) {
+  const Overrides straight{"mechanism.profile.roller=straight",
+                           "load_cases=[{name: pull, axial_force: 20 kN, direction: tension, position: 29 mm}, {name: "
+                           "idle, axial_force: 0 N, direction: tension, position: 29 mm}]"};
+  const Json v = verdict("12_preload.yaml", straight);
+  EXPECT_EQ(v["state"], "red");
+  EXPECT_THAT(criterion(v, "input")["reason"].get<std::string>(), HasSubstr("mechanism.profile"));
+}
+
 struct Limited {
   const char *name, *unit;
   double factor = 1.0;  ///< Ratio of the value in the file to that in the document.
