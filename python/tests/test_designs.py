@@ -290,7 +290,7 @@ WRONG_INPUTS: dict[str, tuple[Any, type[Exception], str]] = {
         ValueError,
         "masked",
     ),
-    "no unit": ({FORCE: [10.5, 20.5]}, rs.InputError, r'\(numbers, "N"\)'),
+    "no unit": ({FORCE: [10.5, 20.5]}, rs.InputError, r'\(numbers, "kN"\)'),
     "another dimension": ({FORCE: ([10.5, 20.5], "mm")}, rs.InputError, "unit of a length"),
     "no such unit": ({FORCE: ([10.5, 20.5], "bananas")}, rs.InputError, "not a known unit"),
     "texts with unit": ({FORCE: (["10", "20"], "kN")}, TypeError, "numbers next to the unit 'kN'"),
