@@ -12,6 +12,7 @@
 #include "prs/mechanism/full_distribution.h"
 #include "prs/mechanism/full_influence.h"
 #include "prs/mechanism/full_model.h"
+#include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/modes.h"
 #include "support/sectors.h"
 
