@@ -230,7 +230,8 @@ struct CsvReader::Parts {
 
   void read_row() {
     parser.clear();
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || line().find('\0') != text.npos)
+    const bool is_first = !std::exchange(any_row, true);
+    if (is_first && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || line().find('\0') != text.npos))
       throw CsvError(row, "got a text in UTF-16 or a file that is none; expected UTF-8; save it as `CSV UTF-8`");
     while (parser.rows() == 0) {
       if (next == text.size()) {
@@ -259,6 +260,7 @@ struct CsvReader::Parts {
   std::string_view text;
   std::size_t next;     ///< Offset of the next line.
   std::size_t row = 0;  ///< Offset at which the row begins.
+  bool any_row = false;
   char separator;
   std::vector<bool> decimal_commas;  ///< Flags by column; empty: no column has decimal commas.
   FieldParser parser;
