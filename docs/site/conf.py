@@ -10,7 +10,7 @@ SOURCE, MADE = Path(os.environ["PRS_SITE_SOURCE"]), Path(os.environ["PRS_SITE_MA
 project = "prs"
 version = release = re.search(r'kVersion = "([^"]+)"', (SOURCE / "prs/version.h").read_text())[1]
 
-extensions = ["myst_nb", "autoapi.extension", "breathe", "sphinx_copybutton"]
+extensions = ["myst_nb", "autoapi.extension", "sphinx.ext.napoleon", "breathe", "sphinx_copybutton"]
 root_doc = "index"
 # Documents alone. Other files of the repository that they link to are downloads.
 include_patterns = [
@@ -41,8 +41,9 @@ autoapi_dirs = [str(SOURCE / "python/rollerscrew")]
 autoapi_options = ["members", "show-module-summary", "imported-members"]
 autoapi_add_toctree_entry = False
 autoapi_python_class_content = "both"
-# Imports of the compiled engine and cycles of types; namespaces, which are opened again.
-suppress_warnings = ["autoapi.python_import_resolution", "duplicate_declaration.cpp"]
+# Imports of the compiled engine and cycles of types; namespaces, which are opened again; names of the package, which
+# stand in their modules too.
+suppress_warnings = ["autoapi.python_import_resolution", "duplicate_declaration.cpp", "ref.python"]
 default_role = "code"
 
 html_theme = "furo"
