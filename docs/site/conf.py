@@ -41,8 +41,8 @@ autoapi_dirs = [str(SOURCE / "python/rollerscrew")]
 autoapi_options = ["members", "show-module-summary", "imported-members"]
 autoapi_add_toctree_entry = False
 autoapi_python_class_content = "both"
-# Imports of the compiled engine and cycles of types; namespaces, which are opened again; names of the
-# package, which stand in their modules too.
+# Imports of the compiled engine and cycles of types; namespaces, which are opened again; names of
+# the package, which stand in their modules too.
 suppress_warnings = ["autoapi.python_import_resolution", "duplicate_declaration.cpp", "ref.python"]
 default_role = "code"
 
