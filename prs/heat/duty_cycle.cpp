@@ -23,7 +23,8 @@ constexpr double kFirstReach = 40.0;       // Rise up to which losses of a missi
 
 /// Effort to find the range of temperatures, and then over it; with solved shares the exact losses cost twenty times
 /// those of equal ones.
-constexpr LossTable::Effort kRoughTable{1e-4, 200}, kTable{1e-9, 6000}, kSolvedTable{3e-9, 1500};
+constexpr int kMostCorrections = 4, kMostOnPath = 300;  // Of a table along a path, and exact losses of each.
+constexpr LossTable::Effort kRoughTable{1e-3, 200}, kTable{1e-9, 6000}, kSolvedTable{3e-9, 1500};
 /// A mission visits ten times the range of a cycle, and nothing is iterated on its end.
 constexpr LossTable::Effort kMissionTable{3e-7, 600}, kSolvedMissionTable{1e-5, 150};
 
@@ -292,29 +293,65 @@ std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& l
   return of(*load.losses, true, load.effort, equal.value_or(LossTable{}));
 }
 
-/// Range of the temperatures while each load case acts in a cycle from `start`.
-std::vector<TemperatureBox> visited_from(const OfParts& start, const RepeatedCycle& cycle,
-                                         const std::vector<LossTable>& tables) {
-  std::vector<std::optional<TemperatureBox>> visited(tables.size());
-  const auto add = [&](std::size_t table, const OfParts& t) {
-    const OfParts at = table_coordinates(t);
-    if (!visited[table]) visited[table] = {at, at};
-    visited[table]->include(at);
-  };
+/// Temperatures, as coordinates of tables, one after the other while a load case acts.
+using Path = std::vector<OfParts>;
+
+/// Path of each load case in a cycle from `start`.
+std::vector<Path> paths_from(const OfParts& start, const RepeatedCycle& cycle, const std::vector<LossTable>& tables) {
+  std::vector<Path> paths(tables.size());
   State state = starting_at(start);
   std::size_t last = 0;
   OfParts before = start;
   cycle.run(tables, state, [&](std::size_t table, double, const State& at, const auto&) {
     const OfParts t = at.head<3>();
-    if (table != last) add(table, before);
-    add(table, t);
+    if (table != last) paths[table].push_back(table_coordinates(before));
+    paths[table].push_back(table_coordinates(t));
     last = table, before = t;
   });
+  for (Path& path : paths)
+    if (path.empty()) path = {table_coordinates(start)};
+  return paths;
+}
+
+std::vector<TemperatureBox> ranges_of(const std::vector<Path>& paths) {
   std::vector<TemperatureBox> boxes;
-  for (const auto& box : visited)
-    boxes.push_back(box.value_or(TemperatureBox{table_coordinates(start), table_coordinates(start)}));
+  for (const Path& path : paths) boxes.push_back(around(path));
   return boxes;
 }
+
+/// A rough table that is corrected along the path of its load case alone.
+class Corrected {
+ public:
+  enum class Outcome { holds, corrected, fails };
+
+  bool is_begun() const { return rough_.has_value(); }
+  /// Corrects the table along a path, unless it holds there with this error. Fails where corrections do not become
+  /// small from path to path, and where a path comes back to temperatures.
+  Outcome follow(const Path& path, CaseLosses& losses, double accuracy, LossTable& table) {
+    if (is_begun() && holds(path, losses, accuracy, table)) return Outcome::holds;
+    if (!is_begun()) rough_ = table;
+    if (++corrections_ > kMostCorrections) return Outcome::fails;
+    std::optional<LossTable> next =
+        LossTable::along(path, [&](const OfParts& t) { return losses.at(t); }, {accuracy, kMostOnPath}, *rough_);
+    if (!next) return Outcome::fails;
+    table = std::move(*next);
+    return Outcome::corrected;
+  }
+
+ private:
+  /// Whether the losses at three places of the path are those of the table.
+  static bool holds(const Path& path, CaseLosses& losses, double accuracy, const LossTable& table) {
+    for (const std::size_t sixth : {1U, 3U, 5U}) {
+      const OfParts t = temperatures_of(path[(path.size() - 1) * sixth / 6]);
+      const std::optional<Losses> exact = losses.at(t);
+      if (!exact || table.distance(t, *exact) > accuracy) return false;
+    }
+    return true;
+  }
+
+  std::optional<LossTable> rough_;
+  int corrections_ = 0;
+};
 
 /// The periodic cycle, or a mission.
 struct FoundCycle : DutyLosses {
@@ -333,7 +370,7 @@ std::optional<FoundCycle> repeated(const RepeatedCycle& cycle, const DutyLosses&
   FoundCycle found{known};
   RepeatedCycle::Factors factors;
   const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
-  if (!start || !contain(found.covered, visited_from(*start, cycle, found.tables))) return std::nullopt;
+  if (!start || !contain(found.covered, ranges_of(paths_from(*start, cycle, found.tables)))) return std::nullopt;
   found.start = *start;
   return found;
 }
@@ -345,9 +382,11 @@ TemperatureBox within_reach(const TemperatureBox& box, const OfParts& start, dou
 }
 
 /// Iteration: each round makes tables over the temperatures of the previous one and a margin around them: rough ones,
-/// and good ones after the range is known. In a mission the range grows from the start. `kept`: whether the tables
-/// serve other cycles too, in which other load cases may weigh more.
-FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, bool kept) {
+/// and good ones after the range is known. Solved shares, whose losses take long, are corrected along the path of the
+/// temperatures alone, anew in each round until they hold on that of the next; where that fails, over the whole range.
+/// In a mission the range grows from the start. `kept`: whether the tables serve other cycles too, in which other load
+/// cases may weigh more.
+FoundCycle find_cycle(const RepeatedCycle& cycle, Duty& duty, const OfParts& guess, bool kept) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   FoundCycle found{{std::vector<LossTable>(cases + 1), std::vector<TemperatureBox>(cases), guess}};
@@ -360,7 +399,11 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfPart
   bool good = false;
   RepeatedCycle::Factors factors;
   std::vector<TemperatureBox>& covered = found.covered;
+  std::vector<Corrected> corrected(cases);
+  std::vector<bool> whole(cases, false);  // Whether a table is good over its range.
   double reach = kFirstReach;
+  std::vector<std::optional<LossTable>> rough(cases);  // What a path corrects, in as many rounds.
+  std::vector<int> corrections(cases, wide ? kMostCorrections : 0);
   for (int round = 0; round < kMostRounds; ++round, reach *= 2.0) {
     if (!duty.start) {
       const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
@@ -370,26 +413,38 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfPart
                      "parts more conductance, less load or more rest");
       found.start = *start;
     }
-    std::vector<TemperatureBox> visited = visited_from(found.start, cycle, found.tables);
+    const std::vector<Path> paths = paths_from(found.start, cycle, found.tables);
+    std::vector<TemperatureBox> visited = ranges_of(paths);
     if (duty.start)
       for (TemperatureBox& box : visited)
         box = within_reach(box, found.start, std::min(reach, kHottest - found.start.maxCoeff()));
     const auto is_covered = [&](std::size_t k) { return round > 0 && covered[k].contains(visited[k + 1]); };
-    const bool inside = round > 0 && contain(covered, visited);
-    if (good && inside) return found;
-    const bool was_good = std::exchange(good, good || inside);
+    const bool was_good = std::exchange(good, good || (round > 0 && contain(covered, visited)));
+    bool is_settled = good;
     for (std::size_t k = 0; k < cases; ++k) {
-      const bool is_fine = !wide && weights[k] * found.tables[k + 1].error() <= duty.cases[k].accuracy();
-      if (is_covered(k) && (was_good || (good && is_fine))) continue;
+      LossTable& table = found.tables[k + 1];
+      DutyCase& load = duty.cases[k];
+      if (good && is_covered(k)) {
+        const double accuracy = std::min(load.accuracy() / weights[k], kRoughTable.accuracy);
+        const bool is_fine = !wide && !corrected[k].is_begun() && table.error() <= accuracy;
+        if (whole[k] || is_fine) continue;
+        if (load.equal && !wide) {
+          const Corrected::Outcome outcome = corrected[k].follow(paths[k + 1], *load.losses, accuracy, table);
+          is_settled = is_settled && outcome == Corrected::Outcome::holds;
+          if (outcome != Corrected::Outcome::fails) continue;
+        }
+      }
+      is_settled = false;
       // Constant losses overestimate, so that their temperatures are not kept.
       TemperatureBox box = visited[k + 1];
       if (round > 1 && good == was_good) box.include(covered[k].least), box.include(covered[k].greatest);
       covered[k] = box.widened(kept ? kKeptMargin : good && !wide ? kMargin : kRoughMargin);
-      std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good, weights[k]);
-      if (!table)
-        return ended(found, HeatStatus::no_steady_state, duty.cases[k].failure() + " at temperatures of the cycle");
-      found.tables[k + 1] = std::move(*table);
+      std::optional<LossTable> next = table_over(covered[k], load, good, weights[k]);
+      if (!next) return ended(found, HeatStatus::no_steady_state, load.failure() + " at temperatures of the cycle");
+      table = std::move(*next);
+      whole[k] = good;
     }
+    if (is_settled) return found;
   }
   return ended(found, HeatStatus::iteration_limit,
                fmt::format("the range of temperatures of the cycle is not settled after {} rounds", kMostRounds));
@@ -449,7 +504,7 @@ HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<
                      const DutyLosses* known, DutyLosses* kept, std::optional<double> temperature_limit) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
-  const Duty duty = duty_of(c, contacts);
+  Duty duty = duty_of(c, contacts);
   const RepeatedCycle cycle(network, capacity, duty.segments);
   const int cycles = c.heat->cycles.value_or(1);
   HeatCycle result;

@@ -48,12 +48,6 @@ Flows flows_of(const Losses& losses) {
   return f;
 }
 
-/// The temperatures of the parts that have these coordinates.
-OfParts temperatures(const OfParts& c) {
-  const double screw_oil = c[0] + 0.5 * c[1], nut_oil = c[0] - 0.5 * c[1], rollers = c[0] + c[2];
-  return {2.0 * screw_oil - rollers, rollers, 2.0 * nut_oil - rollers};
-}
-
 /// d(table_coordinates)/d(temperature)
 Eigen::Matrix3d coordinates_by_parts() {
   Eigen::Matrix3d m;
@@ -77,7 +71,18 @@ TemperatureBox TemperatureBox::widened(double margin) const {
   return {least - by, greatest + by};
 }
 
+TemperatureBox around(std::span<const OfParts> path) {
+  TemperatureBox box{path.front(), path.front()};
+  for (const OfParts& c : path) box.include(c);
+  return box;
+}
+
 OfParts table_coordinates(const OfParts& t) { return coordinates_by_parts() * t; }
+
+OfParts temperatures_of(const OfParts& c) {
+  const double screw_oil = c[0] + 0.5 * c[1], nut_oil = c[0] - 0.5 * c[1], rollers = c[0] + c[2];
+  return {2.0 * screw_oil - rollers, rollers, 2.0 * nut_oil - rollers};
+}
 
 LossTable::LossTable(const Losses& constant) {
   Panel all;
@@ -87,9 +92,40 @@ LossTable::LossTable(const Losses& constant) {
 
 std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at, bool by_rollers, const Effort& effort,
                                          LossTable rough) {
+  return halved(box, temperatures_of, at, {3, 3, by_rollers ? 3 : 1}, effort,
+                std::move(rough));
+}
+
+std::optional<LossTable> LossTable::along(std::span<const OfParts> path, const At& at, const Effort& effort,
+                                          LossTable rough) {
+  const TemperatureBox box = around(path);
+  std::optional<int> by;  // The coordinate that changes most among those that only rise or only fall.
+  for (int d = 0; d < 3; ++d) {
+    const auto of = [d](const OfParts& c) { return c[d]; };
+    const bool is_monotone = std::ranges::is_sorted(path, {}, of) || std::ranges::is_sorted(path, std::greater{}, of);
+    const auto width = [&](int of_one) { return box.greatest[of_one] - box.least[of_one]; };
+    if (is_monotone && (!by || width(d) > width(*by))) by = d;
+  }
+  if (!by) return std::nullopt;
+  std::vector<OfParts> rising(path.begin(), path.end());
+  if (rising.front()[*by] > rising.back()[*by]) std::ranges::reverse(rising);
+  const auto on_path = [&](const OfParts& c) {
+    const auto next = std::ranges::lower_bound(rising, c[*by], {}, [&](const OfParts& p) { return p[*by]; });
+    if (next == rising.begin() || next == rising.end())
+      return temperatures_of(next == rising.end() ? rising.back() : rising.front());
+    const OfParts &to = *next, &from = *std::prev(next);
+    return temperatures_of(from + (c[*by] - from[*by]) / (to[*by] - from[*by]) * (to - from));
+  };
+  Points fewest{1, 1, 1};
+  fewest[static_cast<std::size_t>(*by)] = 3;
+  return halved(box, on_path, at, fewest, effort, std::move(rough));
+}
+
+std::optional<LossTable> LossTable::halved(const TemperatureBox& box, const Place& place, const At& at,
+                                           const Points& fewest, const Effort& effort, LossTable rough) {
   int evaluations = 0;
   const auto panel_on = [&](const TemperatureBox& here) {
-    return rough.fit(here, at, by_rollers, effort.accuracy, evaluations);
+    return rough.fit(here, place, at, fewest, effort.accuracy, evaluations);
   };
   std::optional<Panel> whole = panel_on(box);
   if (!whole) return std::nullopt;
@@ -107,7 +143,9 @@ std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at
     below.greatest[along] = above.least[along] = middle;
     std::optional<Panel> lower = panel_on(below), upper = panel_on(above);
     if (!lower || !upper) return std::nullopt;
-    layer[*next] = {{}, along, middle, layer.size()};
+    Panel halved_panel;
+    halved_panel.box = layer[*next].panel.box;
+    layer[*next] = {std::move(halved_panel), along, middle, layer.size()};
     layer.push_back({std::move(*lower)});
     layer.push_back({std::move(*upper)});
   }
@@ -115,19 +153,18 @@ std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at
   table.error_ = 0.0;
   for (const Node& node : layer) table.error_ = std::max(table.error_, node.panel.error);
   table.layers_.push_back(std::move(layer));
-  table.box_ = box;
   return table;
 }
 
-std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const At& exact, bool by_rollers,
-                                               double accuracy, int& evaluations) const {
+std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const Place& place, const At& exact,
+                                               const Points& fewest, double accuracy, int& evaluations) const {
   Panel panel;
   panel.box = box;
   const OfParts middle = 0.5 * (box.least + box.greatest);
   const OfParts half = 0.5 * (box.greatest - box.least);
   double largest = 0.0;
   const auto left_at = [&](const OfParts& unit) -> std::optional<Flows> {
-    const OfParts t = temperatures(middle + half.cwiseProduct(unit));
+    const OfParts t = place(middle + half.cwiseProduct(unit));
     const std::optional<Losses> losses = exact(t);
     ++evaluations;
     if (!losses) return std::nullopt;
@@ -136,7 +173,7 @@ std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const 
     return flows - value_at(t);
   };
   std::map<std::array<int, 3>, Flows> known;
-  std::array<int, 3> n{3, 3, by_rollers ? 3 : 1};
+  Points n = fewest;
   while (true) {
     panel.points = n;
     std::vector<Flows> values;
@@ -166,8 +203,9 @@ std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const 
     }
     if (n == panel.points) return panel;
   }
-  for (const auto& [x, y, z] : kChecks) {
-    const OfParts unit(x, y, by_rollers ? z : 0.0);
+  for (const auto& check : kChecks) {
+    OfParts unit;
+    for (int d = 0; d < 3; ++d) unit[d] = fewest[static_cast<std::size_t>(d)] > 1 ? check[d] : 0.0;
     const std::optional<Flows> left = left_at(unit);
     if (!left) return std::nullopt;
     Value fitted;
@@ -258,12 +296,21 @@ const LossTable::Panel& LossTable::panel_at(const Layer& layer, const OfParts& c
 
 LossTable::Value LossTable::at(const OfParts& t, bool with_slopes) const {
   const OfParts there = table_coordinates(t);
-  const OfParts c = box_ ? OfParts(there.cwiseMax(box_->least).cwiseMin(box_->greatest)) : there;
-  std::array<bool, 3> slopes{};
-  for (int d = 0; d < 3; ++d) slopes[static_cast<std::size_t>(d)] = with_slopes && c[d] == there[d];
   Value sum;
-  for (const Layer& layer : layers_) panel_at(layer, c).add(c, slopes, sum);
+  for (const Layer& layer : layers_) {
+    const TemperatureBox& box = layer.front().panel.box;
+    const OfParts c = there.cwiseMax(box.least).cwiseMin(box.greatest);
+    std::array<bool, 3> slopes{};
+    for (int d = 0; d < 3; ++d) slopes[static_cast<std::size_t>(d)] = with_slopes && c[d] == there[d];
+    panel_at(layer, c).add(c, slopes, sum);
+  }
   return sum;
+}
+
+double LossTable::distance(const OfParts& t, const Losses& losses) const {
+  const Flows exact = flows_of(losses);
+  const double largest = exact.lpNorm<Eigen::Infinity>();
+  return largest > 0.0 ? (exact - value_at(t)).lpNorm<Eigen::Infinity>() / largest : 0.0;
 }
 
 }  // namespace prs

@@ -17,6 +17,11 @@ struct TemperatureBox {
 /// Coordinates of temperatures of the parts: mean of both oils, screw's oil less nut's, rollers
 /// less that mean [K]. Along a cycle the two differences change little.
 OfParts table_coordinates(const OfParts& temperature);
+/// The temperatures that have these coordinates.
+OfParts temperatures_of(const OfParts& coordinates);
+
+/// The box around a path of coordinates.
+TemperatureBox around(std::span<const OfParts> path);
 
 /// Heat into screw, rollers and nut, power that flows in and power that comes out [W].
 using Flows = Eigen::Matrix<double, 5, 1>;
@@ -41,6 +46,11 @@ class LossTable {
   /// `at` has no losses.
   static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers, const Effort& effort,
                                        LossTable rough);
+  /// The difference from `rough` along a path alone, over a coordinate that only rises or only falls on it: fewer
+  /// points still. Beside the path the difference is that on it. Absent where no coordinate does so, or `at` has no
+  /// losses.
+  static std::optional<LossTable> along(std::span<const OfParts> path, const At& at, const Effort& effort,
+                                        LossTable rough);
 
   using ByTemperature = Eigen::Matrix<double, 5, 3>;
   struct Value {
@@ -50,13 +60,16 @@ class LossTable {
   Value at(const OfParts& temperature, bool with_slopes = true) const;
   Flows value_at(const OfParts& temperature) const { return at(temperature, false).value; }
 
+  /// Largest difference from losses at a temperature, over the largest of these.
+  double distance(const OfParts& temperature, const Losses& losses) const;
   /// Largest error of all panels, measured as `Effort::accuracy`.
   double error() const { return error_; }
 
  private:
+  using Points = std::array<int, 3>;
   struct Panel {
     TemperatureBox box;
-    std::array<int, 3> points{1, 1, 1};
+    Points points{1, 1, 1};
     /// Coefficients of Chebyshev's polynomials, the last coordinate fastest.
     std::vector<Flows> coefficients;
     std::array<double, 3> last{};  ///< Left out along each coordinate, over the largest losses.
@@ -69,7 +82,7 @@ class LossTable {
     /// The coordinate to halve along; none where the panel is good or too narrow.
     std::optional<int> worst(double accuracy) const;
   };
-  /// A panel, or where it was halved.
+  /// A panel, or the box of one and where it was halved.
   struct Node {
     Panel panel;
     int along = -1;
@@ -78,12 +91,16 @@ class LossTable {
   };
   using Layer = std::vector<Node>;
 
-  std::optional<Panel> fit(const TemperatureBox& box, const At& exact, bool by_rollers, double accuracy,
-                           int& evaluations) const;
+  /// Temperatures at coordinates.
+  using Place = std::function<OfParts(const OfParts& coordinates)>;
+  static std::optional<LossTable> halved(const TemperatureBox& box, const Place& place, const At& at,
+                                         const Points& fewest, const Effort& effort, LossTable rough);
+  std::optional<Panel> fit(const TemperatureBox& box, const Place& place, const At& exact, const Points& fewest,
+                           double accuracy, int& evaluations) const;
   static const Panel& panel_at(const Layer& layer, const OfParts& coordinates);
 
-  std::vector<Layer> layers_;          ///< Layers, whose values add up.
-  std::optional<TemperatureBox> box_;  ///< Box, beyond whose borders losses are those at the border.
+  /// Layers, whose values add up; beyond the borders of its first box a layer's are those at the border.
+  std::vector<Layer> layers_;
   double error_ = 0.0;
 };
 

@@ -16,7 +16,8 @@ constexpr double kDifference = 0.05;  // Difference of temperatures for derivati
 double largest(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
 bool is_sound(const OfParts& t) { return t.allFinite() && t.minCoeff() > kCoolest && t.maxCoeff() < kHottest; }
 
-/// The estimate, scaled to the exact heat at the temperatures where that is known.
+/// The estimate, scaled to the last exact heat, and a slope that makes it go through the exact heats before (Broyden):
+/// the estimate does not feel how temperatures change the loads.
 class ScaledEstimate {
  public:
   using OfOil = std::function<std::optional<OfParts>(const PerInterface<double>& oil)>;
@@ -33,14 +34,18 @@ class ScaledEstimate {
       else
         ratio_[i] = 0.0, offset_[i] = exact[i];
     }
+    const OfParts before = std::exchange(at_, temperature), heat_before = std::exchange(exact_, exact);
+    if (!std::exchange(is_scaled_, true) || before == temperature) return;
+    const OfParts step = before - temperature;
+    if (const std::optional<OfParts> there = heat(before))
+      slope_ += (heat_before - *there) * step.transpose() / step.squaredNorm();
   }
 
-  std::optional<OfParts> heat(const PerInterface<double>& oil) const {
-    std::optional<OfParts> q = of_oil_(oil);
-    if (q) *q = q->cwiseProduct(ratio_) + offset_;
+  std::optional<OfParts> heat(const OfParts& t) const {
+    std::optional<OfParts> q = of(oil_temperatures(t));
+    if (q) *q += slope_ * (t - at_);
     return q;
   }
-  std::optional<OfParts> heat(const OfParts& t) const { return heat(oil_temperatures(t)); }
 
   /// Heat minus heat flow out [W].
   std::optional<OfParts> surplus(const OfParts& t) const {
@@ -71,24 +76,34 @@ class ScaledEstimate {
 
   /// d(surplus)/dT [W/K], forward differences; `at` is the surplus at t.
   std::optional<Eigen::Matrix3d> derivative(const OfParts& t, const OfParts& at) const {
-    const OfParts q = at + network_.conductance * (t.array() - network_.ambient).matrix();
+    const OfParts q = at + network_.conductance * (t.array() - network_.ambient).matrix() - slope_ * (t - at_);
     Eigen::Matrix<double, 3, 2> by_oil;
     for (const Interface i : kInterfaces) {
       PerInterface<double> oil = oil_temperatures(t);
       oil[i] += kDifference;
-      const std::optional<OfParts> moved = heat(oil);
+      const std::optional<OfParts> moved = of(oil);
       if (!moved) return std::nullopt;
       by_oil.col(static_cast<int>(i)) = (*moved - q) / kDifference;
     }
     Eigen::Matrix<double, 2, 3> oil_by_parts;
     oil_by_parts << 0.5, 0.5, 0.0, 0.0, 0.5, 0.5;
-    return by_oil * oil_by_parts - network_.conductance;
+    return by_oil * oil_by_parts + slope_ - network_.conductance;
   }
 
  private:
+  /// The estimate of these oils, scaled.
+  std::optional<OfParts> of(const PerInterface<double>& oil) const {
+    std::optional<OfParts> q = of_oil_(oil);
+    if (q) *q = q->cwiseProduct(ratio_) + offset_;
+    return q;
+  }
+
   const ThermalNetwork& network_;
   const OfOil& of_oil_;
   OfParts ratio_ = OfParts::Ones(), offset_ = OfParts::Zero();
+  OfParts at_ = OfParts::Zero(), exact_ = OfParts::Zero();  ///< Last exact heat, and its temperatures.
+  bool is_scaled_ = false;
+  Eigen::Matrix3d slope_ = Eigen::Matrix3d::Zero();         ///< [W/K]
 };
 
 /// Newton's method from t, where the surplus is known; Broyden's update keeps the derivative.
@@ -137,6 +152,20 @@ std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwo
   return std::nullopt;
 }
 
+/// Reason why no steady state is found: the steepest change of heat between two states that were tried.
+std::string not_settled(const std::vector<std::pair<OfParts, OfParts>>& tried) {
+  double steepest = 0.0, apart = 0.0;
+  std::array<double, 2> heat{};
+  for (const auto& [t, q] : tried)
+    for (const auto& [other, q_other] : tried)
+      if (const double d = largest(t - other), rise = q.sum() - q_other.sum(); d > 0.0 && rise > steepest * d)
+        steepest = rise / d, apart = d, heat = {q.sum(), q_other.sum()};
+  return fmt::format(
+      "{} states were tried, and none gives off the heat that it takes up; of two of them, {:.2g} K apart, one takes up "
+      "{:.4g} W, the other {:.4g} W",
+      tried.size(), apart, heat[0], heat[1]);
+}
+
 std::string runaway(const OfParts& heat, double ambient) {
   return fmt::format(
       "the parts heat up beyond {0}: at any lower temperature they take up more heat than they give off; "
@@ -177,6 +206,7 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
   SteadyHeat found;
   std::optional<Eigen::Matrix3d> derivative;
   OfParts t = start.value_or(ambient);
+  std::vector<std::pair<OfParts, OfParts>> tried;  // Temperatures and exact heat.
   for (int round = 0; round < kMostRounds; ++round) {
     ++found.evaluations;
     const std::optional<OfParts> heat = source.exact(t);
@@ -184,6 +214,7 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
       return ended(found, HeatStatus::no_steady_state,
                    fmt::format("{} with the screw at {}, the rollers at {}, the nut at {}", source.failure(),
                                celsius(t[0]), celsius(t[1]), celsius(t[2])));
+    tried.emplace_back(t, *heat);
     found.heat = *heat;
     found.temperature = network.steady(*heat);
     const double change = largest(found.temperature - t);
@@ -203,9 +234,7 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     if (choose) found.others = rough.has_hotter_state(*next);
     t = *next;
   }
-  return ended(found, HeatStatus::iteration_limit,
-               fmt::format("the temperatures still change by {:.1e} K after {} rounds", largest(found.temperature - t),
-                           kMostRounds));
+  return ended(found, HeatStatus::iteration_limit, not_settled(tried));
 }
 
 }  // namespace prs

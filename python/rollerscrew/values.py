@@ -74,7 +74,7 @@ def _is_rotation(quantity: Any) -> bool:
 
 def unit_and_magnitude(quantity: Any) -> tuple[str, Any]:
     """A unit that cases know, and the magnitude of a pint quantity in it; `` for a bare number."""
-    if quantity.unitless and not _is_rotation(quantity):
+    if quantity.dimensionless and not _is_rotation(quantity):
         return "", quantity.to("dimensionless").magnitude
     written = f"{quantity.units:~C}".replace("**", "^").replace("*", " ").replace("°", "deg")
     if "/" in written:  # A difference only ever stands below: 1/K.

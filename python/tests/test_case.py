@@ -176,6 +176,11 @@ def test_quantities_of_pint(
         assert got == pytest.approx(expected, rel=1e-12)
 
 
+def test_percent_of_pint(ureg: Any) -> None:
+    given = lesson(1).with_({"materials.poisson_ratio": ureg.Quantity(28, "percent")})
+    assert body(given.check()) == body(lesson(1).with_({"materials.poisson_ratio": 0.28}).check())
+
+
 def test_stiffness_of_pint(ureg: Any) -> None:
     def stiffness(guidance: Any) -> float:
         case = lesson(1).with_(**{"structure.roller.guidance": guidance})

@@ -273,7 +273,9 @@ std::filesystem::path cache_directory() {
   if (const char* own = std::getenv("PRS_CACHE_DIR")) return own;
   if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user == '/')
     return std::filesystem::path(user) / "prs";
-  if (const char* home = std::getenv("HOME"); home && *home) return std::filesystem::path(home) / ".cache" / "prs";
+  std::error_code error;  // A home that is missing is not created.
+  if (const char* home = std::getenv("HOME"); home && *home && fs::is_directory(home, error))
+    return fs::path(home) / ".cache" / "prs";
   return {};
 }
 
