@@ -277,6 +277,31 @@ TEST(SteadyHeat, HeatThatGrowsFasterThanItFlowsOffRunsAway) {
   EXPECT_THAT(found.reason, ::testing::HasSubstr("heat up beyond"));
 }
 
+TEST(SteadyHeat, FollowsLossesThatTheEstimateDoesNotFeel) {
+  // As a preload that is lost with the temperatures: 20 (T - 300) = 1000 exp((300 - T)/10).
+  HeatSource source = lumped(+[](double) { return 100.0; });
+  source.exact = [](const OfParts& t) -> std::optional<OfParts> {
+    const double all = 1000.0 * std::exp((300.0 - t[1]) / 10.0);
+    return OfParts(all / 4, all / 2, all / 4);
+  };
+  const SteadyHeat found = find_steady_heat(tight_network(), source);
+  ASSERT_TRUE(found.converged()) << found.reason;
+  const double rise = found.temperature[1] - 300.0;
+  EXPECT_NEAR(2.0 * rise, 100.0 * std::exp(-rise / 10.0), 1e-3);
+  EXPECT_LT(found.evaluations, 15);
+}
+
+TEST(SteadyHeat, LossesThatJumpAcrossTheBalanceAreReported) {
+  HeatSource source = lumped(+[](double) { return 100.0; });
+  source.exact = [](const OfParts& t) -> std::optional<OfParts> {
+    const double all = t[1] < 310.0 ? 400.0 : 0.0;
+    return OfParts(all / 4, all / 2, all / 4);
+  };
+  const SteadyHeat found = find_steady_heat(tight_network(), source);
+  EXPECT_EQ(found.status, HeatStatus::iteration_limit);
+  EXPECT_THAT(found.reason, ::testing::HasSubstr("400 W, the other 0 W"));
+}
+
 // Duty cycles -------------------------------------------------------------------------------------
 
 Case with_duty(Case c, std::vector<Heat::DutyStep> steps) {
@@ -700,6 +725,39 @@ TEST(LossTable, HalvesPanelsAtAKinkAndTellsWhatIsLeft) {
     }
   EXPECT_LT(worst, 1e-5);
   EXPECT_LE(worst, std::max(2.0 * table->error(), 1e-9));
+}
+
+TEST(LossTable, CorrectsARoughTableAlongAPath) {
+  const auto at = [](const OfParts& t) -> std::optional<Losses> {
+    const OfParts c = table_coordinates(t);
+    const double a = 1e3 * std::exp(-0.02 * (c[0] - 300.0) - 0.01 * c[1]) + std::pow(std::max(c[2] - 1.0, 0.0), 1.5);
+    return Losses{OfParts(a, 2.0 * t[1], 5.0), a + t[1], t[1]};
+  };
+  // The rollers overtake the oil, and the difference of the oils rises and falls.
+  std::vector<OfParts> path;
+  for (int i = 0; i <= 2000; ++i) {
+    const double s = i / 2000.0;
+    path.emplace_back(300.0 + 20.0 * (1.0 - std::exp(-2.0 * s)), 3.0 * s * (1.0 - s), -3.0 + 6.0 * s);
+  }
+  int evaluations = 0;
+  const auto counted = [&](const OfParts& t) { return ++evaluations, at(t); };
+  const std::optional<LossTable> rough = LossTable::over(around(path), at, true, {1e-2, 30}, {});
+  ASSERT_TRUE(rough);
+  const std::optional<LossTable> table = LossTable::along(path, counted, {1e-8, 400}, *rough);
+  ASSERT_TRUE(table);
+  EXPECT_LT(evaluations, 430);
+  double worst = 0.0, worst_rough = 0.0;
+  for (const OfParts& c : path) {
+    const OfParts t = temperatures_of(c);
+    worst = std::max(worst, table->distance(t, *at(t)));
+    worst_rough = std::max(worst_rough, rough->distance(t, *at(t)));
+  }
+  EXPECT_LT(worst, 3e-8);
+  EXPECT_GT(worst_rough, 100.0 * worst);
+
+  // A path that comes back in every coordinate has none to go by.
+  std::ranges::copy(std::vector(path.rbegin(), path.rend()), std::back_inserter(path));
+  EXPECT_FALSE(LossTable::along(path, at, {1e-8, 400}, *rough));
 }
 
 }  // namespace
