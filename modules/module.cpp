@@ -43,18 +43,20 @@ const Module& load(const Name& name) {
           fmt::format("this needs {0}, and {1} is not next to the program; install {2} and build prs again{3}",
                       name.library, name.file, name.package, name.alternative));
     // Message of the loader if the system lacks a library of the module.
-    if (const auto end = error.find(": cannot open shared object file"); end != error.npos)
+    if (const auto end = error.find(": cannot open shared object file: No such file"); end != error.npos)
       throw Missing(
           fmt::format("this needs {0}, and {1} is not installed; install {0}, on Debian by `apt "
                       "install {2}`{3}",
                       name.library, error.substr(0, end), name.package, name.alternative));
-    throw Missing(fmt::format("this needs {0}, and {1} does not load: {2}; install {0}, or build prs again{3}",
-                              name.library, name.file, error, name.alternative));
+    throw std::runtime_error(
+        fmt::format("this needs {0}, and {1} does not load: {2}; give the program more memory or open files, or "
+                    "install {0} and build prs again{3}",
+                    name.library, name.file, error, name.alternative));
   }
   const auto& loaded = *static_cast<const Module*>(symbol);
   if (std::string_view(loaded.build) != kBuild)
-    throw Missing(fmt::format("{} is of prs {}, and this is prs {}; install both from one build", name.file,
-                              loaded.build, kBuild));
+    throw std::runtime_error(fmt::format("{} is of prs {}, and this is prs {}; install both from one build", name.file,
+                                         loaded.build, kBuild));
   return loaded;
 }
 

@@ -23,7 +23,7 @@ struct Module {
   const char* build = kBuild;  ///< Build of the module, which must be that of the program.
 };
 
-/// Error: the module is missing, or does not load.
+/// Error: the module, or a library that it needs, is not installed.
 class Missing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -36,10 +36,11 @@ class NotBuilt : public Missing {
 };
 
 /// Loads a library. Searches the folder of the program (or of the library that this function is part of), the folder
-/// `lib/prs` there and in the two folders above, and the system's library folders.
+/// `lib/prs` there and in the two folders above, and the system's library folders. Throws Missing; std::runtime_error
+/// if there is a module that does not load.
 const Module& load(const Name& name);
 
-/// Loads the module once. Throws Missing.
+/// Loads the module once; throws as `load` does.
 template <class Interface>
 const Interface& loaded() {
   static const auto& module = static_cast<const Interface&>(load(Interface::kName));

@@ -4,6 +4,7 @@
 
 #include "modules/response/response_analysis.h"
 #include "prs/heat/analyze_heat.h"
+#include "prs/indices.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
@@ -34,6 +35,7 @@ struct RowsOfDesign {
 struct Group {
   std::string key;
   std::vector<std::size_t> curves;
+  std::vector<std::size_t> response_of;  ///< Response of each curve in the study, which has each once.
   input::StudyInput input;
   std::vector<std::vector<Draw>> designs;           ///< Draws of the conditions, without repetition.
   std::vector<std::vector<std::size_t>> design_of;  ///< Design of each row of each curve.
@@ -101,7 +103,7 @@ struct FitEvaluation::Parts {
     if (group == groups.end()) {
       group = groups.insert(
           groups.end(),
-          Group{.key = key, .curves = {}, .input = {input.source, curve.base, {}}, .designs = {}, .design_of = {}});
+          Group{.key = key, .curves = {}, .response_of = {}, .input = {input.source, curve.base, {}}, .designs = {}, .design_of = {}});
       Study& study = group->input.study;
       study.command = curve.command;
       study.plan = Plan::monte_carlo;
@@ -110,7 +112,10 @@ struct FitEvaluation::Parts {
         study.factors.push_back(factor(condition.path, condition.unit));
     }
     group->curves.push_back(index);
-    group->input.study.responses.push_back(curve.response);
+    std::vector<std::string>& responses = group->input.study.responses;
+    const auto response = std::ranges::find(responses, curve.response);
+    group->response_of.push_back(static_cast<std::size_t>(response - responses.begin()));
+    if (response == responses.end()) responses.push_back(curve.response);
     group->places.insert(group->places.end(), curve.places.begin(), curve.places.end());
   }
 
@@ -136,7 +141,8 @@ struct FitEvaluation::Parts {
         check_document(group);
     } catch (const UnknownResponse& error) {
       // Known responses may have no result at the start.
-      const FitCurve& curve = input.curves[group.curves[error.index()]];
+      const auto k = std::ranges::find(group.response_of, error.index()) - group.response_of.begin();
+      const FitCurve& curve = input.curves[group.curves[static_cast<std::size_t>(k)]];
       if (!curve.is_usual_command || !result_number(curve.response))
         input::fail_at(input.source, curve.at + ".response", error.what());
       group.without_answer = "no " + curve.response;
@@ -231,7 +237,7 @@ struct FitEvaluation::Parts {
     const std::string& series = first_curve(group).series;
     if (series == "response.time_s") return;  // Keys of the series are known.
     if (series == "heat_cycle.time_s") {
-      for (std::size_t k = 0; k < group.curves.size(); ++k)
+      for (const auto k : indices(group.input.study.responses))
         if (part_of(group.input.study.responses[k]) == nullptr)
           throw UnknownResponse(
               k, fmt::format(
@@ -241,7 +247,7 @@ struct FitEvaluation::Parts {
     }
     const RowsOfDesign found = rows_of(group, with_parameters(group, starts(), 0));
     if (!found.reason.empty()) return;  // Reported where the response is evaluated.
-    for (std::size_t k = 0; k < group.curves.size(); ++k) {
+    for (const auto k : indices(group.input.study.responses)) {
       if (std::ranges::any_of(found.values[k], [](double v) { return std::isfinite(v); })) continue;
       std::vector<std::string_view> keys;
       const RecordInfo& record = describe<PreloadPointOf>();
@@ -448,8 +454,8 @@ struct FitEvaluation::Parts {
         for (std::size_t i = 0; i < input.curves[c].rows; ++i) {
           const RowsOfDesign& rows = all[first + group.design_of[k][i]];
           const double value = !rows.reason.empty()   ? kNoResponse
-                               : group.places.empty() ? rows.values[k][0]
-                                                      : rows.values[k][group.place_of[k][i]];
+                               : group.places.empty() ? rows.values[group.response_of[k]][0]
+                                                      : rows.values[group.response_of[k]][group.place_of[k][i]];
           answers[r].values[c].push_back(value);
           if (std::isfinite(value) || (answers[r].failure && answers[r].failure->curve <= c)) continue;
           answers[r].failure =

@@ -268,7 +268,8 @@ std::vector<Headline> headlines(const ResponseResult& r) {
 }
 
 std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase& of) {
-  FoundCriterion found("peak_pressure"), speed("largest_speed"), compression("largest_compression");
+  FoundCriterion found("peak_pressure"), speed("largest_speed"), compression("largest_compression"),
+      tension("largest_tension");
   for (const Direction d : kDirections)
     if (const auto& largest = r.largest[d]; largest && largest->pressure) {
       const ContactPressure& nearest = *largest->pressure;
@@ -277,9 +278,11 @@ std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase& 
     }
   found.best.reset();  // The best value is one of load cases, and a motion has none.
   speed.take(r.run.largest_speed, "response");
-  if (const auto& largest = r.largest.compression; largest && largest->force != 0.0)
-    compression.take(std::abs(largest->force), "response", "largest force in compression");
-  return {found, speed, compression};
+  for (const Direction d : kDirections)
+    if (const auto& largest = r.largest[d]; largest && largest->force != 0.0)
+      (d == Direction::compression ? compression : tension)
+          .take(std::abs(largest->force), "response", fmt::format("largest force in {}", name(d)));
+  return {found, speed, compression, tension};
 }
 
 PageSection section(const ResponseResult&) {

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <charconv>
 
@@ -114,7 +115,8 @@ std::string commands_with(const std::string& option, const App& program) {
 
 std::string unknown_command(std::string_view word, const std::string& program, const std::vector<std::string>& known) {
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
-    return fmt::format("got {0}; expected a command before it, for example `{1} check {0}`", shown(word), program);
+    return fmt::format("got {}; expected a command before it, for example `{} check {}`", shown(word), program,
+                       quoted(shown(word)));
   return fmt::format("got {}; expected a command{}", shown(word), suggestion(word, known));
 }
 
@@ -234,6 +236,14 @@ int report_usage(const App& app, std::string_view message) {
 }
 
 void fail_option(std::string_view option, std::string_view message) { throw UsageError("{}: {}", option, message); }
+
+std::string quoted(std::string word) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@%[]";
+  if (word.size() > 1 && word.starts_with('-')) word.insert(0, "./");
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  boost::replace_all(word, "'", "'\\''");
+  return "'" + word + "'";
+}
 
 double quantity_option(std::string_view option, const std::string& text, const input::Dimension& dimension,
                        const input::Bounds& bounds, std::string_view expected) {

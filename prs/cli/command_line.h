@@ -75,6 +75,9 @@ template <class Arg, class... Args>
   fail_option(option, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
 }
 
+/// The word quoted for a shell; a file whose name begins with `-` is one of the current folder.
+std::string quoted(std::string word);
+
 /// The value of an option [SI] within bounds that `expected` describes. A blank between number and unit may be missing.
 double quantity_option(std::string_view option, const std::string& text, const input::Dimension& dimension,
                        const input::Bounds& bounds, std::string_view expected);

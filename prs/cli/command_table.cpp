@@ -367,7 +367,7 @@ void add_merge(Program& program) {
   merge->group("Commands");
   merge->footer("prs study merge part1 part2 --output results");
   merge->callback([&program] { program.run = merge_study; });
-  merge->add_option("dir", program.options.folders, "The folders of the shards")->required()->type_name("DIR");
+  add_value(*merge, "dir", program.options.folders, "DIR", "The folders of the shards")->required();
   add_threads(*merge, program.options);
   add_output_options(*merge, program.options);
   add_png(*merge, program.options);

@@ -71,7 +71,6 @@ void require_place(const std::filesystem::path& output, const std::vector<const 
   const auto fail = [&](std::string_view got, std::string_view expected) {
     throw UsageError("--output: got {}{}; expected {}", input::shown(output.string()), got, expected);
   };
-  if (output.empty()) throw UsageError("--output: got nothing; expected a file or a folder");
   for (const Form& form : kForms) {
     if (!is_file_of(form, output)) continue;
     if (forms.size() > 1) fail(", one file, for several forms", "a folder, for example `models`");

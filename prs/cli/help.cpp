@@ -23,6 +23,7 @@ constexpr std::pair<const char*, const char*> kExitStatuses[] = {
     {"2", "the input or the command line is wrong"},
     {"3", "a load case, a study or a fit did not converge"},
     {"4", "a reference lies beyond its tolerance (`compare`)"},
+    {"129", "ended by SIGHUP, as when a terminal closes"},
     {"130", "interrupted by Ctrl-C"},
     {"143", "ended by SIGTERM"}};
 

@@ -18,7 +18,7 @@ Interruption::Patience patience;          ///< Changes only while no signal is h
   ::_exit(kStatusOfSignal + signal);
 }
 
-void end(int signal) { end(signal, "prs: interrupted\n"); }
+void end(int signal) { end(signal, interruption_text.load()); }
 
 void end_late(int) { end(asked_by, patience.text); }
 
@@ -36,22 +36,31 @@ void ask_to_stop(int signal) {
   if (patience.time.count() > 0) call_end_late(patience.time);
 }
 
+/// Sets the handler of a signal, except of SIGHUP that is ignored, as under nohup. Returns the former one.
+struct sigaction handle(int signal, void (*handler)(int)) {
+  struct sigaction action {
+  }, former{};
+  sigfillset(&action.sa_mask);
+  action.sa_handler = handler;
+  ::sigaction(signal, nullptr, &former);
+  if (signal != SIGHUP || former.sa_handler != SIG_IGN) ::sigaction(signal, &action, nullptr);
+  return former;
+}
+
 }  // namespace
 
 Interruption::Interruption(Patience given) {
   patience = given;
-  struct sigaction ask {};
-  sigfillset(&ask.sa_mask);
-  ask.sa_handler = end_late;
-  ::sigaction(SIGALRM, &ask, &alarm_);
-  ask.sa_handler = ask_to_stop;
-  ::sigaction(SIGINT, &ask, &interrupt_);
-  ::sigaction(SIGTERM, &ask, &terminate_);
+  alarm_ = handle(SIGALRM, end_late);
+  interrupt_ = handle(SIGINT, ask_to_stop);
+  terminate_ = handle(SIGTERM, ask_to_stop);
+  hang_up_ = handle(SIGHUP, ask_to_stop);
 }
 
 Interruption::~Interruption() {
   ::sigaction(SIGINT, &interrupt_, nullptr);
   ::sigaction(SIGTERM, &terminate_, nullptr);
+  ::sigaction(SIGHUP, &hang_up_, nullptr);
   call_end_late(std::chrono::milliseconds(0));
   ::sigaction(SIGALRM, &alarm_, nullptr);
 }
@@ -68,10 +77,7 @@ Interruption::Patience patience_for(bool is_kept) {
 }
 
 void end_on_interrupt() {
-  struct sigaction action {};
-  action.sa_handler = end;
-  sigfillset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, end);
 }
 
 void let_writes_fail() {

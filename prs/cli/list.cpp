@@ -183,7 +183,8 @@ std::string text_of_quantity(const Json& quantity) {
 int explain(const Options& options) {
   // A single word after `--explain` becomes FILE, which the parser fills first.
   std::string name = options.explain->empty() ? options.file : *options.explain;
-  if (std::filesystem::is_regular_file(name)) name.clear();  // The case, which is not needed.
+  if (std::error_code error; std::filesystem::is_regular_file(name, error))
+    name.clear();  // The case, which is not needed.
   if (name.empty()) {
     print(options.json ? json_text(measure_explanations_json()) : measure_explanations());
     return kDone;

@@ -15,11 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void refuse_existing(const fs::path& file) {
-  if (fs::exists(fs::symlink_status(file)))
-    throw UsageError("{}: the file exists already; give another name", input::shown(file.string()));
-}
-
 /// Case of a screw by the command line.
 std::string new_text(const NewOptions& options) {
   try {
@@ -31,14 +26,12 @@ std::string new_text(const NewOptions& options) {
 
 std::string content_of_file(const fs::path& file) { return input::load_source(file.string(), {}).text; }
 
-/// Copies the lesson, and the files that it reads.
-void copy_lesson(const Lesson& lesson, const fs::path& file) {
+/// Copies the files that the lesson reads.
+void copy_companions(const Lesson& lesson, const fs::path& file) {
   const std::vector<std::string> names = companions(input::load_source(lesson.file.string(), {}));
-  refuse_existing(file);
   for (const std::string& name : names) refuse_existing(file.parent_path() / name);
   for (const std::string& name : names)
     write_case(file.parent_path() / name, content_of_file(lesson.file.parent_path() / name));
-  write_case(file, content_of_file(lesson.file));
 }
 
 ConfigurationQuery query_of(const ConfigurationOptions& o) {
@@ -93,7 +86,8 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
 }
 
 /// Writes the case of `--write` into a new file.
-void write_configuration(const Configuration& configuration, const ConfigurationOptions& o) {
+void write_configuration(const Configuration& configuration, const Options& options) {
+  const ConfigurationOptions& o = options.configurations;
   const auto text = [&] {
     try {
       return configuration_case(configuration);
@@ -101,12 +95,27 @@ void write_configuration(const Configuration& configuration, const Configuration
       fail_option("--write", "line {}: {}: {}", o.write[0], error.path(), error.what());
     }
   }();
-  if (std::filesystem::exists(o.write[1]))
-    fail_option("--write", "{}: the file exists already; give another name", input::shown(o.write[1]));
-  write_case(o.write[1], text);
+  refuse_existing(o.write[1]);
+  write_new(options, o.write[1], text, fmt::format("line {} is written", o.write[0]));
 }
 
 }  // namespace
+
+void refuse_existing(const fs::path& file) {
+  std::error_code told_by_the_file;
+  if (file != kStandardInput && fs::exists(fs::symlink_status(file, told_by_the_file)))
+    throw UsageError("{}: the file exists already; give another name", input::shown(file.string()));
+}
+
+void write_new(const OutputOptions& options, const std::string& file, const std::string& text,
+               const std::string& said) {
+  if (file != kStandardInput) {
+    write_case(file, text);
+    return note(options, fmt::format("{}: {}; `prs check {}` is the next step", file, said, quoted(file)));
+  }
+  if (options.json) throw UsageError("got --json and `-` for a case; expected one document; give a file for the case");
+  print(text);
+}
 
 void add_new_options(CLI::App& command, NewOptions& options) {
   add_value(command, "type", options.type, "standard|inverted|recirculating", "Type of the screw");
@@ -150,19 +159,12 @@ int new_case(const Options& all) {
                      input::shown(options.type));
   }
   const std::optional<Lesson> copied = options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;
-  if (options.file.empty() || options.file == kStandardInput) {
-    print(copied ? content_of_file(copied->file) : new_text(options));
-    return kDone;
-  }
-  if (copied) {
-    copy_lesson(*copied, options.file);
-  } else {
-    refuse_existing(options.file);
-    write_case(options.file, new_text(options));
-  }
+  if (options.file.empty()) options.file = kStandardInput;
+  refuse_existing(options.file);
+  if (copied && options.file != kStandardInput) copy_companions(*copied, options.file);
   const std::string assumed = copied ? "" : assumptions(options);
-  note(all, fmt::format("{0}: written{1}{2}; `prs check {0}` is the next step", options.file,
-                        assumed.empty() ? "" : "; ", assumed));
+  write_new(all, options.file, copied ? content_of_file(copied->file) : new_text(options),
+            fmt::format("written{}{}", assumed.empty() ? "" : "; ", assumed));
   return kDone;
 }
 
@@ -173,21 +175,18 @@ int configurations(const Options& options) {
   if (all.found.empty()) refuse_none(all);
 
   const bool writes = !asked.write.empty();
-  if (writes) write_configuration(chosen(all, asked), asked);
-  const int status =
-      deliver({.file = "configurations.json",
-               .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
-               .table = [&] { return writes ? "" : configurations_table(query, all); },
-               .files =
-                   [&](const CsvStyle& style) {
-                     return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all, style)},
-                                                    {"gear_pairs.csv", gear_pairs_csv(all, style)}};
-                   }},
-              {kVersion, kSchemaVersion, "", {}, "configurations"}, options);
-  if (writes)
-    note(options,
-         fmt::format("{0}: line {1} is written; `prs check {0}` is the next step", asked.write[1], asked.write[0]));
-  return status;
+  if (writes) write_configuration(chosen(all, asked), options);
+  Options rest = options;
+  if (writes && asked.write[1] == kStandardInput) rest.quiet = true;
+  return deliver({.file = "configurations.json",
+                  .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
+                  .table = [&] { return writes ? "" : configurations_table(query, all); },
+                  .files =
+                      [&](const CsvStyle& style) {
+                        return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all, style)},
+                                                       {"gear_pairs.csv", gear_pairs_csv(all, style)}};
+                      }},
+                 {kVersion, kSchemaVersion, "", {}, "configurations"}, rest);
 }
 
 }  // namespace prs::cli

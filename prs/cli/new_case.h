@@ -4,6 +4,10 @@
 
 namespace prs::cli {
 
+/// Throws UsageError if the new file exists already.
+void refuse_existing(const std::filesystem::path& file);
+/// Writes a case into a new file, and says so with the next step; prints it for `-`.
+void write_new(const OutputOptions& options, const std::string& file, const std::string& text, const std::string& said);
 /// Lists the geometries that a screw diameter and a lead allow.
 int configurations(const Options& options);
 void add_new_options(CLI::App& command, NewOptions& options);

@@ -2,6 +2,7 @@
 
 #include <sys/ioctl.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <new>
 #include <system_error>
 
@@ -11,9 +12,21 @@
 namespace prs::cli {
 namespace {
 
+/// Names that have line ends.
+std::vector<std::string> names_of_lines;
+
+std::string shown_lines(std::string_view text) {
+  std::string lines(text);
+  for (const std::string& name : names_of_lines) boost::replace_all(lines, name, printable(name));
+  if (text.ends_with('\n')) lines.back() = '\n';
+  return printable_lines(lines);
+}
+
+bool is_shown_as_it_is(std::string_view text) noexcept { return names_of_lines.empty() && is_plain_lines(text); }
+
 /// Writes lines; returns the error, 0 for none.
 int write_lines(int stream, std::string_view text) {
-  return is_plain_lines(text) ? write_all(stream, text) : write_all(stream, printable_lines(text));
+  return is_shown_as_it_is(text) ? write_all(stream, text) : write_all(stream, shown_lines(text));
 }
 
 [[noreturn]] void fail_to_print(int error) {
@@ -67,6 +80,11 @@ bool reserve_standard_streams() {
   return true;
 }
 
+void print_on_one_line(const std::filesystem::path& file) {
+  for (const std::filesystem::path& part : file)
+    if (part.native().find('\n') != std::string::npos) names_of_lines.push_back(part.string());
+}
+
 void print(std::string_view text) {
   if (const int error = write_lines(STDOUT_FILENO, text); error != 0) fail_to_print(error);
 }
@@ -78,11 +96,11 @@ void close_output() {
 void say(std::string_view text) noexcept try {
   const std::size_t columns = message_columns();
   if (columns > 0 && text.size() > columns)
-    write_all(STDERR_FILENO, wrapped_lines(printable_lines(text), columns));
+    write_all(STDERR_FILENO, wrapped_lines(shown_lines(text), columns));
   else
     write_lines(STDERR_FILENO, text);
 } catch (const std::bad_alloc&) {
-  write_all(STDERR_FILENO, is_plain_lines(text) ? text : "(out of memory for a message)");
+  write_all(STDERR_FILENO, is_shown_as_it_is(text) ? text : "(out of memory for a message)");
 }
 
 void control_terminal(std::string_view sequence) noexcept { write_all(STDERR_FILENO, sequence); }

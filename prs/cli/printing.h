@@ -34,6 +34,9 @@ class ReaderGone : public std::runtime_error {
   ReaderGone() : std::runtime_error("standard output is read no further") {}
 };
 
+/// Shows this file on one line of all messages, also if parts of its name have several.
+void print_on_one_line(const std::filesystem::path& file);
+
 /// Prints on standard output, in the form of `printable_lines`. Throws on failure: ReaderGone or, as on a full disk,
 /// std::system_error.
 void print(std::string_view text);

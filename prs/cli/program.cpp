@@ -56,15 +56,26 @@ void require_instruction_set() {
   }
 }
 
-/// Checks the folder before a computation of hours.
-void require_folder(const std::filesystem::path& output) {
-  if (output.empty()) throw UsageError("--output: got nothing; expected a folder");
-  if (std::error_code error; std::filesystem::exists(output, error) && !std::filesystem::is_directory(output, error))
-    throw std::runtime_error(fmt::format("--output: got {}, which is a file; expected a folder; give another name",
-                                         input::shown(output.string())));
+/// Fault of a value of this type; empty for none.
+std::string fault_of(std::string_view type, const std::string& text) {
+  const std::string_view place = type == "DIR"                 ? "a folder"
+                                 : type == "PATH"              ? "a file or a folder"
+                                 : type.ends_with("FILE")      ? "a file"
+                                 : type.find('|') != type.npos ? type
+                                                               : "";
+  if (text.empty() && !place.empty()) return fmt::format("got nothing; expected {}", place);
+  if (!place.empty()) print_on_one_line(text);
+  if (std::error_code error;
+      type == "DIR" && std::filesystem::exists(text, error) && !std::filesystem::is_directory(text, error))
+    return fmt::format("got {}, which is a file; expected a folder; give another name", input::shown(text));
+  return {};
 }
 
 }  // namespace
+
+CLI::Option* name_value(CLI::Option* option, std::string_view type) {
+  return option->type_name(std::string(type))->check([=](const std::string& text) { return fault_of(type, text); });
+}
 
 CLI::Option* add_flag(CLI::App& command, const char* name, bool& flag, const char* help) {
   return command.add_flag(name, flag, help)->disable_flag_override();
@@ -115,7 +126,6 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options, 
   open_matrix_cache(options.quiet);
   if (options.png) require_png();
   std::optional<RunFiles> files;
-  if (options.output) require_folder(*options.output);
   if (options.output) files.emplace(*options.output, command, case_file, overrides);
   const int status = run();
   if (files)
@@ -141,12 +151,15 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
   } catch (const UsageError& error) {
     return failed("prs: error: ", error.what(), kWrongInput);
   } catch (const Interrupted&) {
-    say("prs: interrupted\n");
+    say(interruption_text.load());
     return Interruption::status();
   } catch (const ReaderGone&) {
     return kFailed;
   } catch (const std::bad_alloc&) {
     return out_of_memory();
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::filesystem::path path = error.path1().empty() ? "." : error.path1();
+    return failed("prs: error: ", fmt::format("'{}': {}", path.string(), error.code().message()), kFailed);
   } catch (const std::exception& error) {
     std::string text = error.what();
     if (text.starts_with("cannot write") && text.find("expected a regular file") == text.npos)

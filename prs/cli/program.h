@@ -12,10 +12,13 @@ namespace prs::cli {
 /// Adds an option without a value.
 CLI::Option* add_flag(CLI::App& command, const char* name, bool& flag, const char* help);
 
+/// Gives the value of an option the name that help calls it by. Files and folders need a name; a folder is no file.
+CLI::Option* name_value(CLI::Option* option, std::string_view type);
+
 /// Adds an option, or an argument, whose value the help calls `type`.
 template <class Value>
-auto* add_value(CLI::App& command, const char* name, Value& value, const char* type, const char* help) {
-  return command.add_option(name, value, help)->type_name(type);
+CLI::Option* add_value(CLI::App& command, const char* name, Value& value, const char* type, const char* help) {
+  return name_value(command.add_option(name, value, help), type);
 }
 
 /// Lets the option be given several times, each time with one value.

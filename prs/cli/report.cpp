@@ -14,15 +14,6 @@
 namespace prs::cli {
 namespace {
 
-/// The word quoted for a shell.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@%[]";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 std::string command_of(const Options& options) {
   std::string command = "prs report " + quoted(options.file);
   for (const std::string& text : options.overrides) command += " --set " + quoted(text);
@@ -40,7 +31,6 @@ void require_places(const Options& options) {
     return std::filesystem::is_directory(path, error);
   };
   if (const auto& file = options.report) {
-    if (file->empty()) throw UsageError("--output: got nothing; expected a file, for example report.html");
     if (is_folder(*file))
       throw UsageError("--output: got {}, which is a folder; expected a file, for example {}",
                        input::shown(file->string()), input::shown((*file / "report.html").string()));
@@ -84,12 +74,26 @@ Report write_page(const Options& options) {
   return report;
 }
 
-/// Path of a page of this case in a new temporary folder.
-std::filesystem::path temporary_page(const std::string& file) {
-  std::string folder = (temporary_folder() / "prs-XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) throw std::system_error(errno, std::generic_category(), folder);
+/// A new temporary folder for a page; without a page in it, it does not outlive the program.
+struct PageFolder {
+  std::string path = (temporary_folder() / "prs-XXXXXX").string();
+  UnfinishedPath unfinished;
+
+  PageFolder() {
+    const SignalsHeld held;
+    if (::mkdtemp(path.data()) == nullptr)
+      throw std::system_error(errno, std::generic_category(), fmt::format("cannot write '{}'", path));
+    unfinished = UnfinishedPath(path);
+  }
+  ~PageFolder() { ::rmdir(path.c_str()); }
+  PageFolder(const PageFolder&) = delete;
+  PageFolder& operator=(const PageFolder&) = delete;
+};
+
+/// Name of a page of this case.
+std::string page_name(const std::string& file) {
   const std::string stem = std::filesystem::path(file).stem().string();
-  return std::filesystem::path(folder) / ((stem.empty() || stem == "-" ? "case" : stem) + ".html");
+  return (stem.empty() || stem == "-" ? "case" : stem) + ".html";
 }
 
 /// Parts of live pages. Throws std::runtime_error if there are none of this program.
@@ -160,7 +164,8 @@ int explore(const Options& options) {
   require_places(options);
   require_live_parts();
   Options at = options;
-  if (!at.report) at.report = temporary_page(options.file);
+  std::optional<PageFolder> folder;
+  if (!at.report) at.report = folder.emplace().path / std::filesystem::path(page_name(options.file));
   const Report report = write_page(at);
   if (!options.quiet) print(at.report->string() + "\n");
   if (!open_in_browser(*at.report)) note(options, "prs: xdg-open is missing; open the page in a browser yourself");

@@ -1,6 +1,7 @@
 #include "prs/cli/size.h"
 
 #include "prs/cli/command_line.h"
+#include "prs/cli/new_case.h"
 #include "prs/size/size_analysis.h"
 
 namespace prs::cli {
@@ -19,8 +20,7 @@ std::vector<std::pair<std::size_t, std::string>> written_of(const Options& optio
                   "got {}; expected the rank of a candidate and a file, for example `--write 1 "
                   "screw.yaml`",
                   input::shown(rank));
-    if (std::filesystem::exists(std::filesystem::symlink_status(file)))
-      fail_option("--write", "{}: the file exists already; give another name", input::shown(file));
+    refuse_existing(file);
     all.emplace_back(*number, file);
   }
   return all;
@@ -43,13 +43,15 @@ int size(const Options& options) {
   };
   require("--curve", options.curve);
   for (const auto& written : cases) require("--write", written.first);
+  Options rest = options;
   for (const auto& [rank, file] : cases) {
     const SizedCandidate& c = result.candidates[rank - 1];
-    write_case(file, written_candidate(result.input, c));
-    note(options, fmt::format("{0}: {1}, rank {2}, is written; `prs check {0}` is the next step{3}", file, c.name, rank,
-                              c.passes ? "" : "; it does not pass: see the list"));
+    write_new(
+        options, file, written_candidate(result.input, c),
+        fmt::format("{}, rank {}, is written{}", c.name, rank, c.passes ? "" : "; it does not pass: see the list"));
+    if (file == kStandardInput) rest.quiet = true;
   }
-  return deliver(size_delivery(std::move(result), options.top), document_info(source, Command::size), options);
+  return deliver(size_delivery(std::move(result), options.top), document_info(source, Command::size), rest);
 }
 
 }  // namespace prs::cli

@@ -116,6 +116,7 @@ int compute(const input::Source& source, std::size_t threads, const Options& opt
   };
   ProgressLine line(options.quiet);
   StudyProgress progress;
+  if (options.output) interruption_text = kContinues;
   std::optional<Interruption> interruption(patience_for(options.output.has_value()));
   const StoredRows rows = run_study(header, folder ? &*folder : nullptr, run,
                                     {options.restart, Interruption::asked,
@@ -131,9 +132,10 @@ int compute(const input::Source& source, std::size_t threads, const Options& opt
   if (count(rows.missing(all)) > 0) return report_interrupted_study(progress, options);
   if (progress.found > 0) note(options, fmt::format("{} designs: {}", progress.total, origin(progress)));
   if (options.shard) {
-    note(options, fmt::format("shard {}: {} designs are in {}; with all shards done, `prs study "
-                              "merge {} --output DIR` writes the files of the study",
-                              name(*options.shard), all.count, options.output->string(), options.output->string()));
+    note(options,
+         fmt::format("shard {}: {} designs are in {}; with all shards done, `prs study "
+                     "merge {} --output DIR` writes the files of the study",
+                     name(*options.shard), all.count, options.output->string(), quoted(options.output->string())));
     return kDone;
   }
   const int status = deliver_study(
@@ -173,8 +175,7 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
 
 /// Reports the state of an interrupted search.
 int report_interruption(const Options& options) {
-  say(fmt::format("prs: interrupted; {}\n", options.output ? "the same command continues from there"
-                                                           : "with --output DIR an optimization can be continued"));
+  say(options.output ? kContinues : "prs: interrupted; with --output DIR an optimization can be continued\n");
   return Interruption::status();
 }
 
@@ -258,6 +259,7 @@ int optimize(const Options& options) {
   std::optional<OptimizationResult> result;
   {
     ProgressLine line(options.quiet);
+    if (options.output) interruption_text = kContinues;
     const Interruption interruption(patience_for(options.output.has_value()));
     result =
         run_optimization(in, threads, open, {Interruption::asked, [&](const StudyProgress& now) { show(line, now); }});

@@ -23,6 +23,7 @@ bool has_memory() {
 
 void require_memory() {
   if (!has_memory()) throw std::bad_alloc();
+  errno = 0;
 }
 
 class NetcdfFile : public ColumnFile {
@@ -67,7 +68,6 @@ class NetcdfFile : public ColumnFile {
 
   void close() override {
     require_memory();
-    errno = 0;
     require(nc_close(std::exchange(id_, -1)));
   }
 
@@ -95,7 +95,7 @@ class NetcdfFile : public ColumnFile {
   void require(int error) const {
     if (error == NC_NOERR) return;
     const std::string what = "cannot write '" + name_ + "'";
-    for (const int reason : {ENOSPC, EDQUOT, EFBIG, EIO})
+    for (const int reason : {ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE})
       if (errno == reason) throw std::system_error(reason, std::generic_category(), what);
     throw std::runtime_error(what + ": " + nc_strerror(error));
   }

@@ -8,8 +8,7 @@
 namespace prs {
 namespace {
 
-constexpr double kTolerance = 1e-8;  // [K]
-constexpr double kCoolest = 50.0;    // Temperature below which no oil's line is evaluated [K].
+constexpr double kCoolest = 50.0;  // Temperature below which no oil's line is evaluated [K].
 constexpr int kMostRounds = 50;
 constexpr double kDifference = 0.05;  // Difference of temperatures for derivatives [K].
 
@@ -40,6 +39,8 @@ class ScaledEstimate {
     if (const std::optional<OfParts> there = heat(before))
       slope_ += (heat_before - *there) * step.transpose() / step.squaredNorm();
   }
+
+  void forget_slope() { slope_.setZero(); }
 
   std::optional<OfParts> heat(const OfParts& t) const {
     std::optional<OfParts> q = of(oil_temperatures(t));
@@ -200,7 +201,7 @@ OfParts heat_of(const PowerBySource& p) {
 PerInterface<double> oil_temperatures(const OfParts& t) { return {0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2])}; }
 
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
-                            const std::optional<OfParts>& start) {
+                            const std::optional<OfParts>& start, double tolerance) {
   const OfParts ambient = OfParts::Constant(network.ambient);
   ScaledEstimate fine(network, source.estimate), rough(network, source.rough_estimate);
   SteadyHeat found;
@@ -218,16 +219,21 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     found.heat = *heat;
     found.temperature = network.steady(*heat);
     const double change = largest(found.temperature - t);
-    if (change <= kTolerance) return ended(found, HeatStatus::converged, {});
+    if (change <= tolerance) return ended(found, HeatStatus::converged, {});
     fine.scale_to(t, *heat);
     const OfParts surplus = network.conductance * (found.temperature - t);
-    const double tolerance = round == 0 ? 1e-2 * change : 0.1 * kTolerance;
-    std::optional<OfParts> next = newton(fine, t, surplus, derivative, tolerance);
+    const double of_estimate = round == 0 ? 1e-2 * change : 0.1 * tolerance;
+    std::optional<OfParts> next = newton(fine, t, surplus, derivative, of_estimate);
     const bool choose = source.may_grow && round == 0;
     if (choose) rough.scale_to(t, *heat);
     if (next && choose && rough.has_cooler_state(*next)) next.reset();
     if (!next) {
-      next = follow(fine, network, round == 0 ? start.value_or(ambient) : t);
+      const OfParts from = round == 0 ? start.value_or(ambient) : t;
+      next = follow(fine, network, from);
+      if (!next) {  // A slope between distant states may mislead.
+        fine.forget_slope();
+        next = follow(fine, network, from);
+      }
       derivative.reset();
       if (!next) return ended(found, HeatStatus::no_steady_state, runaway(*heat, network.ambient));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/loads/result.h"
+#include "prs/model/limits.h"
 
 namespace prs {
 
@@ -32,9 +33,6 @@ OfParts heat_of(const PowerBySource& power);
 
 /// Temperature of the oil at the contacts of an interface, the mean of its two bodies [K].
 PerInterface<double> oil_temperatures(const OfParts& temperature);
-
-/// Temperature Ac1 at which bearing steel turns into austenite [K]: beyond it no part has its stated properties.
-inline constexpr double kHottest = 1000.0;
 
 /// Heat of friction in the parts [W], over their temperatures [K].
 struct HeatSource {
@@ -69,12 +67,12 @@ Found ended(Found& found, HeatStatus status, std::string reason) {
   return found;
 }
 
-/// Temperatures at which Q(T) = K (T - T_ambient 1), to 1e-8 K: the state that the parts reach from `start`, by default
+/// Temperatures at which Q(T) = K (T - T_ambient 1), to `tolerance` [K]: the state that the parts reach from `start`, by default
 /// from the temperature of their surroundings, the coolest if there are several. Newton's method on the estimate,
 /// scaled part by part to the last exact heat, which is then recomputed. If the estimate has another crossing between
 /// ambient temperature and the found state, or Newton's method fails, the parts are followed in time by implicit Euler
 /// steps.
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
-                            const std::optional<OfParts>& start = {});
+                            const std::optional<OfParts>& start = {}, double tolerance = 1e-8);
 
 }  // namespace prs

@@ -564,7 +564,7 @@ void fields(const Fields& io, Turning& t) {
 }
 
 void fields(const Fields& io, Deviations& d) {
-  const Quantity temperature{unit::temperature, positive};
+  const Quantity temperature{unit::temperature, {.least = 0.0, .greatest = kHottest, .least_excluded = true}};
   io("pitch_error", d.pitch_error, Each{Block{}, optional},
      "Axial position error of the threads, > 0 away from the loaded end of the screw");
   OneOrMany diameter{d.roller_diameter, d.roller_diameters};
@@ -745,7 +745,7 @@ void fields(const Fields& io, HistorySource& h) {
 }
 
 void fields(const Fields& io, SpectrumLoad& l) {
-  io("force", l.force, Quantity{unit::force, positive}, required, "Axial load");
+  io("force", l.force, Quantity{unit::force, not_negative}, required, "Axial load; 0 N under preload alone");
   io("direction", l.direction, required, "Sense of the load on the screw");
   constexpr std::string_view one = "as one of revolutions, distance, duration and share";
   const Bounds revolutions{.least = 0.0, .greatest = 1e15, .least_excluded = true};
@@ -803,6 +803,8 @@ void fields(const Fields& io, MeasureOptions::Shaft& s) {
   io("ends", s.ends, required, "How the screw is held at both ends of it");
   io("stroke", s.stroke, Quantity{unit::length, positive, "200 mm"},
      "Way of the nut along the screw, for which the shaft must be long enough");
+  io("largest_compression", s.largest_compression, Quantity{unit::force, positive, "20 kN"},
+     "That buckling must bear beside the loads of the case, as where their sense is not known");
 }
 
 void fields(const Fields& io, MeasureOptions::System::Shaft& s) {

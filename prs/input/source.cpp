@@ -51,7 +51,8 @@ Source read_source(std::istream& in, std::string name, std::vector<std::string> 
   if (text.size() > kLargestFile)
     throw refusal(name, "a file of more than 1 MiB",
                   "check that it is the right file; long force histories are CSV files (`life.history`)");
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // Byte order mark.
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);                    // Byte order mark.
+  if (text.find('\n') == text.npos) std::ranges::replace(text, '\r', '\n');  // Line ends of old Macs.
   return {std::move(name), std::move(text), std::move(overrides)};
 }
 

@@ -54,7 +54,11 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
   const std::string_view where = loads_of(r);
   FoundCriterion safety = static_safety_criterion(of.c), edge("flank_edge"), pressure("peak_pressure"),
                  temperature("temperature"), stroke("stroke"), speed("largest_speed"),
-                 compression("largest_compression");
+                 compression("largest_compression"), tension("largest_tension");
+  if (r.history)
+    for (const LoadStep& step : r.steps)
+      if (step.axial_force != 0.0)
+        (step.axial_force < 0.0 ? compression : tension).take(std::abs(step.axial_force), where);
   if (r.converged()) {
     for (const Direction d : kDirections) {
       const auto& flank = r.flanks[d];
@@ -71,8 +75,6 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
               fmt::format("roller-{}, {}, {}", name(i), name(d),
                           flank->peak_pressure[i] == flank->running_peak_pressure[i] ? "running" : "at rest"));
     }
-    if (const auto& flank = r.flanks.compression; flank && flank->largest_force > 0.0)
-      compression.take(flank->largest_force, where);
   }
   if (r.temperature && r.temperature_status == HeatStatus::converged)
     take_temperatures(temperature, *r.temperature, where);
@@ -83,7 +85,7 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
         stroke.take(*way / *length, where, "positions under more than half of the mean load");
   }
   std::vector<FoundCriterion> all{
-      rated_life(r, of), safety, edge, pressure, stroke, speed, compression, convergence(r.converged() ? "" : "life")};
+      rated_life(r, of), safety, edge, pressure, stroke, speed, compression, tension, convergence(r.converged() ? "" : "life")};
   if (temperature.value) all.push_back(temperature);
   if (!r.bearing) return all;
   if (const auto life = r.bearing_life())

@@ -33,6 +33,11 @@ std::optional<double> largest_pressure(const Result& result, const LoadCaseResul
   return largest;
 }
 
+/// `at rest at the temperatures of `slip``, `running`. `is_whole`: with preload and temperatures as they are.
+std::string words_of_loads(const LoadCaseResult& r, const JudgedCase& of, bool is_whole) {
+  return is_whole || r.loads != ModelOptions::Loads::at_rest ? words_of_text(name(r.loads)) : of.at_rest();
+}
+
 }  // namespace
 
 double rise_elsewhere(const LoadCaseResult& r) {
@@ -57,11 +62,12 @@ FoundCriterion pressure_criterion(const Result& result, const JudgedCase& of, bo
   FoundCriterion found("peak_pressure");
   for (const LoadCaseResult& r : result.load_cases) {
     if (!r.threads || (at_rest && of.preloaded.contains(r.load_case.name))) continue;
+    if (r.heat && !r.heat->converged()) continue;
     for (const Interface i : kInterfaces)
       if (const auto pressure = largest_pressure(result, r, i))
         take_pressure(
             found, *pressure, result.contacts.interfaces[i].pressure_limit, of, r.load_case.name,
-            fmt::format("roller-{}, {}{}", name(i), words_of_text(name(r.loads)), at_rest ? of.without_preload() : ""));
+            fmt::format("roller-{}, {}", name(i), words_of_loads(r, of, !at_rest)));
   }
   return found;
 }
@@ -85,8 +91,8 @@ FoundCriterion stiffness_criterion(const Result& result, const JudgedCase& of, c
     if (!under_preload && of.preloaded.contains(load.name) && !of.c.preload->backlash) continue;
     const auto take = [&](std::optional<double> stiffness, std::string_view kind) {
       if (!stiffness) return;
-      std::string note = fmt::format("largest force, {}{}{}", words_of_text(name(r.loads)),
-                                     under_preload ? " under preload" : of.without_preload(), kind);
+      std::string note = fmt::format("largest force, {}{}{}", words_of_loads(r, of, under_preload),
+                                     under_preload ? " under preload" : "", kind);
       const std::optional<InSeries> others = of.limits.stiffness && in_series ? in_series(load) : std::nullopt;
       if (others) {
         found.title = others->title;

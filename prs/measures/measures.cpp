@@ -279,8 +279,9 @@ class StaticRatings {
   StaticRatings(const Conditions& c, const Contacts& contacts) : c_(c), contacts_(contacts) {}
 
   void rate(const LoadCase& load, LoadMeasures& m) {
-    if (c_.model.all_rollers() || !load.direction || !load.position || load.share != LoadCase::Share::solved ||
-        !(load.axial_force > 0.0))
+    const bool is_along_axis = load.spatial == SpatialLoad{} && !load.travel;
+    if ((c_.model.all_rollers() && !is_along_axis) || !load.direction || !load.position ||
+        load.share != LoadCase::Share::solved || !(load.axial_force > 0.0))
       return;
     const auto [known, is_new] = ratings_.try_emplace({*load.direction, *load.position});
     if (is_new) {

@@ -26,7 +26,6 @@ std::optional<double> flank_edge_estimate(const MeasuresResult& r, std::size_t k
 
 /// Static safety, and the force at which the first ellipse reaches the edge of a flank over the largest force.
 void take_static_limits(const MeasuresResult& r, const JudgedCase& of, FoundCriterion& safety, FoundCriterion& edge) {
-  const std::string_view without_preload = of.without_preload();
   for (std::size_t k = 0; k < r.load_measures.size(); ++k) {
     const auto& m = r.load_measures[k];
     const LoadCaseResult& loaded = r.analysis.load_cases[k];
@@ -36,16 +35,16 @@ void take_static_limits(const MeasuresResult& r, const JudgedCase& of, FoundCrit
         load.share == LoadCase::Share::equal ? "equal thread loads" : "estimate with the thread loads under this force";
     if (m->solved_static_safety)
       safety.take(m->solved_static_safety, load.name,
-                  fmt::format("{}, at rest{}", describe(*m->solved_static_safety_limit), without_preload));
+                  fmt::format("{}, {}", describe(*m->solved_static_safety_limit), of.at_rest()));
     else if (m->thread_static_safety)
       safety.take(*m->thread_static_safety /
                       (*m->thread_static_safety_limit == StaticLimit::given ? 1.0 : rise_elsewhere(loaded)),
                   load.name,
-                  fmt::format("{}, {}, at rest{}", shares, describe(*m->thread_static_safety_limit), without_preload));
+                  fmt::format("{}, {}, {}", shares, describe(*m->thread_static_safety_limit), of.at_rest()));
     if (m->flank_edge_margin)
-      edge.take(m->flank_edge_margin, load.name, fmt::format("at rest{}", without_preload));
+      edge.take(m->flank_edge_margin, load.name, of.at_rest());
     else
-      edge.take(flank_edge_estimate(r, k), load.name, fmt::format("{}, at rest{}", shares, without_preload));
+      edge.take(flank_edge_estimate(r, k), load.name, fmt::format("{}, {}", shares, of.at_rest()));
   }
 }
 

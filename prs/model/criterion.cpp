@@ -45,6 +45,7 @@ void FoundCriterion::add(const FoundCriterion& other) {
   best = before.best && (!other.best || row->is_worse(*other.best, *before.best)) ? before.best : other.best;
   if (!before.why.empty()) why = before.why;
   applies = applies || before.applies;
+  is_partial = is_partial || before.is_partial;
   if (!standing || !before.standing) return;
   standing = std::max(*standing, *before.standing);
   note = before.note + (before.note.empty() || other.note.empty() ? "" : ", ") + other.note;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "prs/model/command.h"
@@ -44,6 +46,7 @@ struct CriterionRow {
   LimitSource source = LimitSource::physics;  ///< Source of a standing that the analysis gives.
   bool of_preload = false;                    ///< Without a value where the preload cannot be had.
   bool of_drive = false;                      ///< Might be worse in a drive that could not be computed.
+  bool of_life = false;                       ///< Might be worse under a life or temperatures that are not known.
   bool last_of_equal = false;                 ///< Whether the last of several equal values is named.
 
   bool is_worse(double a, double b) const;
@@ -63,6 +66,7 @@ inline constexpr CriterionRow kCriteria[] = {
      .needed = Command::measures,
      .why = "no load whose thread loads are known",
      .of_preload = true,
+     .of_life = true,
      .last_of_equal = true},
     {.name = "bearing_static_safety",
      .title = "Static safety of the bearing",
@@ -75,6 +79,7 @@ inline constexpr CriterionRow kCriteria[] = {
      .needed = Command::measures,
      .why = "no load whose thread loads are known",
      .of_preload = true,
+     .of_life = true,
      .last_of_equal = true},
     {.name = "peak_pressure",
      .title = "Peak pressure",
@@ -85,7 +90,8 @@ inline constexpr CriterionRow kCriteria[] = {
      .needed = Command::solve,
      .why = "no load whose thread loads are known",
      .of_preload = true,
-     .of_drive = true},
+     .of_drive = true,
+     .of_life = true},
     {.name = "buckling_safety",
      .title = "Buckling safety",
      .limit = &Limits::buckling_safety,
@@ -140,7 +146,7 @@ inline constexpr CriterionRow kCriteria[] = {
      .sense = Sense::greatest,
      .limit = &Limits::temperature,
      .zero = 273.15,
-     .physical = 726.85,  // Bearing steel turns into austenite.
+     .physical = kHottest - 273.15,
      .recommended = 120.0,
      .needed = Command::slip,
      .last_of_equal = true},
@@ -170,9 +176,11 @@ inline constexpr CriterionRow kCriteria[] = {
     {.name = "convergence", .title = "Convergence", .why = "all converged", .before = "not converged: "},
     {.name = "contacts_per_roller", .title = "Contacts per roller", .source = LimitSource::recommended},
     {.name = "rollers", .title = "Rollers", .source = LimitSource::recommended},
+    {.name = "roller_ends", .title = "Diameter of the rollers' ends", .unit = "mm", .sense = Sense::greatest},
     {.name = "input", .title = "Input"},
     {.name = "largest_speed", .sense = Sense::greatest, .of_drive = true},        ///< [rad/s]
     {.name = "largest_compression", .sense = Sense::greatest, .of_drive = true},  ///< [N]
+    {.name = "largest_tension", .sense = Sense::greatest, .of_drive = true},      ///< [N]
 };
 
 /// The row of a criterion; a name that no row has does not compile.
@@ -197,6 +205,7 @@ struct FoundCriterion {
   std::optional<double> physical = {};          ///< Physical limit of the place, where the row has none.
   std::optional<Standing> standing = {};        ///< Standing that no comparison gives; the limit is then shown alone.
   bool applies = true;
+  bool is_partial = false;  ///< Whether something that may be worse was not computed: then never met.
 
   /// Takes the worst and the best value. NaN is no value. `bound`: the physical limit of its place; values of places
   /// with different ones compare by their shares of these, one without a limit as if it were just met.
@@ -224,9 +233,13 @@ struct JudgedCase {
   const Case& c;
   Limits limits = {};
   std::set<std::string> preloaded = {};  ///< Load cases judged under preload; values without it are left out.
+  bool is_warm = false;                  ///< Whether values at rest are those at the temperatures of `slip`.
 
-  /// Words for values that lack the preload; a play is no preload.
-  std::string_view without_preload() const { return c.preload && !c.preload->backlash ? ", without the preload" : ""; }
+  /// Words for values at rest: their temperatures, and whether they lack the preload; a play is no preload.
+  std::string at_rest() const {
+    return fmt::format("at rest{}{}", is_warm ? " at the temperatures of `slip`" : "",
+                       c.preload && !c.preload->backlash ? ", without the preload" : "");
+  }
 };
 
 /// A criterion and how it stands to its limit.

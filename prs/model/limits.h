@@ -5,6 +5,9 @@
 
 namespace prs {
 
+/// Temperature Ac1 at which bearing steel turns into austenite [K]: beyond it no part has its stated properties.
+inline constexpr double kHottest = 1000.0;
+
 /// Required life, as time or as travel: one of the two is given.
 struct LeastLife {
   std::optional<double> duration = {};  ///< [s]

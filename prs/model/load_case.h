@@ -221,7 +221,7 @@ struct HistorySource {
 
 /// A load of a spectrum and how long it acts; one of the last four members before `driven_by` is given.
 struct SpectrumLoad {
-  double force = 0.0;  ///< [N], > 0
+  double force = 0.0;  ///< [N], > 0; 0 under preload alone
   Direction direction = Direction::tension;
   std::optional<double> revolutions = {};  ///< Revolutions of the screw against the nut.
   std::optional<double> distance = {};     ///< Travel under the load [m].

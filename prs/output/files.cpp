@@ -117,20 +117,29 @@ struct Place {
   int parent(const FileDescriptor& top) const { return folders.empty() ? top.get() : folders.back().get(); }
 };
 
-/// Place of a path; absent if a folder on it is missing or a symbolic link.
+/// `open_regular` for reading. Throws std::system_error if the machine lacks descriptors or memory.
+RegularFile open_to_read(const std::string& name, int folder) {
+  RegularFile opened = open_regular(name.c_str(), O_RDONLY, 0, folder);
+  throw_if_scarce(opened.error, name);
+  return opened;
+}
+
+/// Place of a path; absent if a folder on it is missing or a symbolic link. Throws as `open_to_read` does.
 std::optional<Place> place_of(const FileDescriptor& top, const std::string& path) {
   Place place{{}, parts_of(path)};
   for (std::size_t k = 0; k + 1 < place.parts.size(); ++k) {
     place.folders.emplace_back(
         ::openat(place.parent(top), place.parts[k].c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    if (!place.folders.back().is_open()) return std::nullopt;
+    if (place.folders.back().is_open()) continue;
+    throw_if_scarce(errno, path);
+    return std::nullopt;
   }
   return place;
 }
 
 /// SHA-256 of a regular file; empty if there is none.
 std::string digest_of(const FileDescriptor& top, const Place& place) {
-  const RegularFile opened = open_regular(place.parts.back().c_str(), O_RDONLY, 0, place.parent(top));
+  const RegularFile opened = open_to_read(place.parts.back(), place.parent(top));
   return opened.file.is_open() ? sha256(opened.file).value_or("") : "";
 }
 
@@ -250,7 +259,7 @@ Listed files_of_record(const FileDescriptor& folder, const fs::path& name, const
 
 /// Runs in a folder's list, an empty list if there is none; absent if it cannot be read.
 std::optional<std::vector<Listed>> former_runs(const FileDescriptor& folder) {
-  const RegularFile list = open_regular(std::string(kFileList).c_str(), O_RDONLY, 0, folder.get());
+  const RegularFile list = open_to_read(std::string(kFileList), folder.get());
   if (!list.file.is_open()) return std::vector<Listed>{};
   const std::optional<std::string> text = content_of(list.file, kLongestList);
   return text ? parsed_list(*text) : std::nullopt;
@@ -330,7 +339,6 @@ RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file, con
     if (at.has_filename()) made_.push_back(at);
   const SignalsHeld held;
   lock_.emplace(folder_, LOCK_EX, FolderLock::Run{"prs " + command_, r.case_digest});
-  unfinished_.emplace_back(lock_->path());
   for (const fs::path& made : made_) unfinished_.emplace_back(made);
 }
 
@@ -352,6 +360,7 @@ std::vector<std::string> RunFiles::finish() {
 
 std::vector<std::string> RunFiles::update(bool complete) {
   const FileDescriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.is_open()) throw_if_scarce(errno, folder_.string());
   Listed own = files_of_record(folder, folder_, command_);
   if (own.files.empty()) return {};
   const std::string list = (folder_ / kFileList).string();
@@ -387,11 +396,14 @@ std::vector<std::string> RunFiles::update(bool complete) {
 std::vector<OutputFile> files_of_run(const fs::path& folder, std::string_view command, const input::Source& source) {
   std::vector<OutputFile> files;
   const FileDescriptor top(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!top.is_open()) return files;
+  if (!top.is_open()) {
+    throw_if_scarce(errno, folder.string());
+    return files;
+  }
   const auto content = [&](const std::string& path) -> std::optional<std::string> {
     const std::optional<Place> place = place_of(top, path);
     if (!place) return std::nullopt;
-    const RegularFile opened = open_regular(place->parts.back().c_str(), O_RDONLY, 0, place->parent(top));
+    const RegularFile opened = open_to_read(place->parts.back(), place->parent(top));
     return opened.file.is_open() ? content_of(opened.file, kLongestList) : std::nullopt;
   };
   const std::optional<std::string> list = content(std::string(kFileList));

@@ -52,7 +52,7 @@ class RunFiles {
   ~RunFiles();
 
   /// Removes files out of date, updates the list if anything was written, and returns messages for the user, one per
-  /// line. Throws std::system_error if the list cannot be written.
+  /// line. Throws std::system_error if the files cannot be read back for lack of descriptors, or the list not written.
   std::vector<std::string> finish();
 
  private:

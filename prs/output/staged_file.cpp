@@ -254,8 +254,11 @@ FolderLock::FolderLock(const fs::path& folder, int kind, const Run& run) : path_
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw std::system_error(error, fmt::format("cannot write '{}'", folder.string()));
+  const SignalsHeld held;
   file_ = locked(path_, kind, run);
-  if (kind == LOCK_EX) remove_unfinished(folder);
+  if (kind != LOCK_EX) return;
+  unfinished_ = UnfinishedPath(path_);
+  remove_unfinished(folder);
 }
 
 FolderLock::~FolderLock() {

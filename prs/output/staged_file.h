@@ -120,11 +120,10 @@ class FolderLock {
   FolderLock(FolderLock&&) = default;
   ~FolderLock();  ///< The last holder removes the file.
 
-  const std::filesystem::path& path() const { return path_; }
-
  private:
   std::filesystem::path path_;
   FileDescriptor file_;
+  UnfinishedPath unfinished_;  ///< The file, if no other run may share it.
 };
 
 }  // namespace prs

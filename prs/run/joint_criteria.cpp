@@ -46,6 +46,21 @@ std::optional<FoundCriterion> few(CriterionKey key, int count, int least, const 
   return found;
 }
 
+/// Ends of rollers that overlap those of their neighbours, or the core of the screw's thread.
+std::optional<FoundCriterion> thick_ends(const Case& c, const Mechanism& m) {
+  if (!c.structure || !m.centre_distance || !m.pitch_diameter.screw) return std::nullopt;
+  const double core = *m.pitch_diameter.screw - axial_pitch(m);
+  const double beside_screw = 2.0 * *m.centre_distance - core,
+               beside_neighbour = 2.0 * *m.centre_distance * std::sin(std::numbers::pi / std::max(m.rollers, 2));
+  FoundCriterion found("roller_ends");
+  found.limit = std::min(beside_screw, beside_neighbour) * "mm"_per_si;
+  found.value = c.structure->roller.end_diameter * "mm"_per_si;
+  if (*found.value <= *found.limit) return std::nullopt;
+  found.standing = Standing::red;
+  found.note = beside_screw < beside_neighbour ? "the ends stand in the screw" : "the ends of neighbours overlap";
+  return found;
+}
+
 /// A size of the nut's body: room is left for flanges.
 void take_nut(const Case& c, double Structure::Nut::*size, FoundCriterion& found) {
   found.why = "add structure";
@@ -65,11 +80,17 @@ FoundCriterion following(CriterionKey key, const FoundCriterion& other, std::opt
 
 std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contacts) {
   FoundCriterion speed("largest_speed", "add operation.speed"), compression("largest_compression"),
-      diameter("nut_diameter"), length("nut_length"), stroke("stroke", "add life.stroke");
+      tension("largest_tension"), diameter("nut_diameter"), length("nut_length"), stroke("stroke", "add life.stroke");
   for (const LoadCase& load : c.load_cases) {
     if (load.speed) speed.take(std::abs(*load.speed), load.name);
     if (axial_force_on_nut(load) < 0.0) compression.take(std::abs(load.axial_force), load.name);
   }
+  if (c.life)
+    for (const SpectrumLoad& load : c.life->spectrum)
+      if (load.force > 0.0)
+        (load.direction == Direction::compression ? compression : tension).take(load.force, "life.spectrum");
+  if (c.measures && c.measures->shaft)
+    compression.take(c.measures->shaft->largest_compression, "measures.shaft.largest_compression");
   if (c.operation) {
     speed.take(std::abs(c.operation->speed), "", "operation.speed");
     speed.take(c.operation->largest_speed, "", "operation.largest_speed");
@@ -78,13 +99,13 @@ std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contact
   take_nut(c, &Structure::Nut::length, length);
   if (const auto loaded = loaded_length(c); loaded && c.life->stroke)
     stroke.take(*c.life->stroke / *loaded, "life.stroke", "life of shorter strokes needs a calculation of its own");
-  std::vector<FoundCriterion> all{speed, compression, diameter, length, stroke};
+  std::vector<FoundCriterion> all{speed, compression, tension, diameter, length, stroke};
   if (!c.heat) all.push_back({"temperature", "add heat"});
   for (std::optional<FoundCriterion>& found : std::array{
            axial_play(contacts),
            few("contacts_per_roller", c.mechanism.contacts_per_roller, 8,  // Catalogues have 20 contacts and more.
                "makers' nuts have more: check the length of the nut"),
-           few("rollers", c.mechanism.rollers, 3, "fewer do not centre the screw")})
+           few("rollers", c.mechanism.rollers, 3, "fewer do not centre the screw"), thick_ends(c, contacts.mechanism)})
     if (found) all.push_back(*found);
   return all;
 }
@@ -146,6 +167,29 @@ std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded, 
               : stiffness_criterion(preloaded.loads, of, measures ? in_series_of(*measures, of) : InSeriesOf{}, true),
           convergence(failed_cases(preloaded.loads, "thread loads under preload",
                                    [](const LoadCaseResult& r) { return r.converged(); }))};
+}
+
+std::vector<FoundCriterion> criteria_under(const Case& c, const Contacts& contacts, Direction direction,
+                                           const FoundCriterion& force) {
+  FoundCriterion safety = static_safety_criterion(c), edge("flank_edge"), bearing("bearing_static_safety");
+  const double largest = *force.value;
+  const std::string note = fmt::format("largest force in {}", name(direction));
+  if (c.bearings && c.bearings->fixed.static_capacity)
+    bearing.take(*c.bearings->fixed.static_capacity / largest, force.where, note);
+  const std::optional<double> position =
+      c.life && c.life->position ? c.life->position : c.load_cases.empty() ? std::nullopt : c.load_cases[0].position;
+  const bool solves = position && missing(c, Command::solve).empty();
+  if (const StaticForces found = solves ? solved_static_forces(c, contacts, direction, *position, largest)
+                                        : StaticForces{static_rating({}, c.life ? c.life->static_capacity : std::nullopt), {}};
+      found.rating || found.flank_edge_load) {
+    if (found.rating)
+      safety.take(found.rating->force / largest, force.where,
+                  fmt::format("{}, {}, at rest", note, describe(found.rating->limit)));
+    if (found.flank_edge_load) edge.take(*found.flank_edge_load / largest, force.where, note + ", at rest");
+  }
+  std::vector<FoundCriterion> all{safety, edge};
+  if (bearing.value) all.push_back(bearing);
+  return all;
 }
 
 FoundCriterion buckling_safety(const Case& c, const MeasuresResult& measures, const FoundCriterion& compression,

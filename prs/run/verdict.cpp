@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "prs/life/analyze_life.h"
 #include "prs/losses/slip_criteria.h"
 #include "prs/measures/measures_criteria.h"
 #include "prs/model/check_case.h"
@@ -58,6 +59,7 @@ Criterion judged(const FoundCriterion& found, const Limits& limits) {
     c.load_case = found.where;
     c.reason = found.note;
     hold_against_limit(c, row, found.physical ? found.physical : row.physical);
+    if (found.is_partial && c.standing == Standing::green) c.standing = Standing::not_computed;
   } else {
     if (c.limit) c.source = LimitSource::stated;
     c.reason = found.why;
@@ -71,6 +73,8 @@ Criterion judged(const FoundCriterion& found, const Limits& limits) {
 struct Evidence {
   std::vector<std::pair<Command, FoundCriterion>> found = {};
   std::map<Command, std::string> lacking = {};
+  bool lacks_life = false;          ///< Whether the case has loads of a life that is not known.
+  bool lacks_temperatures = false;  ///< Whether parts warm up to temperatures that are not known.
 
   void add(Command command, const std::vector<FoundCriterion>& more) {
     for (const FoundCriterion& of : more) found.emplace_back(command, of);
@@ -98,6 +102,12 @@ struct Evidence {
       return FoundCriterion(row, *why);
     if (row.of_drive && sum->value && lacking.contains(Command::response))
       sum->note += sum->note.empty() ? "without `response`" : ", without `response`";
+    for (const auto& [lacks, words] : {std::pair(lacks_life, ", without `life`"),
+                                       std::pair(lacks_temperatures, ", without the temperatures of operation")})
+      if (row.of_life && sum->value && lacks) {
+        sum->note += words + (sum->note.empty() ? 2 : 0);
+        sum->is_partial = true;
+      }
     return sum;
   }
   FoundCriterion sum(CriterionKey key) const { return *sum(*key.row); }
@@ -198,6 +208,50 @@ std::optional<MeasuresResult> measures_where_none_was_tried(const Case& c, std::
   }
 }
 
+/// Values of the input that no screw has, which warnings name.
+void add_unusual(const input::CaseInput& in, Evidence& evidence) {
+  std::vector<std::string> paths;
+  for (const Warning& warning : in.warnings)
+    if (warning.code == "unusual_value") paths.push_back(warning.path);
+  if (const auto& life = in.values.life; life && life->dynamic_capacity > life->static_capacity && life->static_capacity)
+    paths.emplace_back("life.static_capacity, which is below the dynamic one");
+  if (paths.empty()) return;
+  FoundCriterion input("input");
+  input.standing = Standing::amber;
+  input.note = fmt::format("unusual: {}", fmt::join(paths, ", "));
+  evidence.add(Command::check, {input});
+}
+
+bool lacks_life(const Case& c, std::span<const Attempt> attempts, const Evidence& evidence) {
+  if (!c.life || (c.life->spectrum.empty() && !c.life->history)) return false;
+  const Attempt* const life = done(attempts, Command::life);
+  return life ? !life->delivery->result<LifeResult>()->converged() : evidence.why_not(Command::life) != nullptr;
+}
+
+/// Adds static safeties under forces of which no analysis has thread loads: of the drive, and of a spectrum whose life
+/// is not known.
+void add_under_forces(const Case& c, const Contacts& contacts, Evidence& evidence) {
+  if (!analysis_of(Command::life).is_built) return;
+  constexpr CriterionKey kTension("largest_tension"), kCompression("largest_compression");
+  std::vector<std::pair<Direction, FoundCriterion>> forces;
+  for (const auto& [command, found] : evidence.found)
+    for (const Direction d : kDirections)
+      if (command == Command::response && found.value &&
+          found.row == (d == Direction::tension ? kTension : kCompression).row)
+        forces.emplace_back(d, found);
+  if (evidence.lacks_life)
+    for (const Direction d : kDirections) {
+      FoundCriterion largest("largest_tension");
+      for (const SpectrumLoad& load : c.life->spectrum)
+        if (load.direction == d && load.force > 0.0) largest.take(load.force, "life.spectrum");
+      if (largest.value) forces.emplace_back(d, largest);
+    }
+  for (const auto& [direction, force] : forces) try {
+      evidence.add(Command::check, criteria_under(c, contacts, direction, force));
+    } catch (const CaseError&) {  // Nothing holds the nut in that sense: said where the loads are needed.
+    }
+}
+
 /// Adds what each analysis found; at rest at the temperatures of the losses, and under preload.
 void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Evidence& evidence,
                CaseVerdict& verdict) {
@@ -212,8 +266,11 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
   const std::optional<MeasuresResult> warm = measures ? warm_measures(c, *measures, slip) : std::nullopt;
   if (warm) measures = &*warm;
 
-  evidence.add(Command::check, case_criteria(c, find_contacts(c.mechanism, c.materials)));
-  JudgedCase of{c, in.limits.value_or(Limits{})};
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  evidence.add(Command::check, case_criteria(c, contacts));
+  evidence.lacks_life = lacks_life(c, attempts, evidence);
+  evidence.lacks_temperatures = measures && slip && warms(c.heat) && !warm;
+  JudgedCase of{.c = c, .limits = in.limits.value_or(Limits{}), .is_warm = warm.has_value()};
   std::optional<PreloadedLoads> preloaded;
   if (at_rest || under_load) {
     const Result& loads = measures ? measures->analysis : *at_rest->delivery->result<Result>();
@@ -233,6 +290,7 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
         attempt.command != Command::solve && attempt.command != Command::contact)
       evidence.add(attempt.command, attempt.delivery->criteria(of));
 
+  add_under_forces(c, contacts, evidence);
   if (measures)
     evidence.add(Command::measures, {buckling_safety(c, *measures, evidence.sum("largest_compression"),
                                                      evidence.lacking.contains(Command::response)),
@@ -276,6 +334,7 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
   CaseVerdict verdict;
   Evidence evidence;
   add_lacking(in, attempts, evidence, verdict);
+  add_unusual(in, evidence);
   add_found(in, attempts, evidence, verdict);
   for (const CriterionRow& row : kCriteria)
     if (!row.title.empty()) add(row, evidence, in.limits.value_or(Limits{}), verdict);
@@ -285,6 +344,7 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
 std::string words(const Criterion& c) {
   const Standing standing = c.standing;
   if (standing == Standing::green) return "met";
+  if (standing == Standing::amber && !c.value) return "unusual";
   if (standing == Standing::amber) return c.sense == Sense::least ? "below recommended" : "above recommended";
   if (standing == Standing::red) return "not met";
   std::string text(name(standing));

@@ -86,10 +86,10 @@ class Evaluation {
     find_measures();
     if (r_.has_mission()) run_mission();
     find_losses();
-    if (!by_maker() && !r_.has_mission()) warm_parts();
+    if ((!by_maker() || sized_.c.preload) && !r_.has_mission()) warm_parts();
     find_no_load_torque();
     find_lives();
-    find_stiffness();
+    if (why_not_steady_.empty()) find_stiffness();
     find_torques();
     find_relubrication();
     judge();
@@ -121,7 +121,7 @@ class Evaluation {
     const LifeResult life = analyze_life(sized_.c, contacts_, {}, oils_);
     c_.by_threads.capacity = life.dynamic_capacity;
     rating_ = life.rated_over_l10();
-    if (life.converged()) {
+    if (life.converged() && why_not_steady_.empty()) {
       c_.by_threads.static_safety = life.static_safety();
       if (cycle_.mean_load)
         c_.by_threads.life = life_of(life.system_life * rating_ * cycle_.travel / cycle_.loaded_travel);
@@ -202,6 +202,7 @@ class Evaluation {
   void find_no_load_torque() {
     if (!sized_.c.preload) return;
     c_.preload_force = sized_.c.preload->force;
+    if (!why_not_steady_.empty()) return;
     Conditions idle = sized_.c;
     idle.load_cases = {sized_.c.load_cases[sized_.back_driving()]};
     idle.load_cases.front().axial_force = 0.0;
@@ -257,18 +258,38 @@ class Evaluation {
       c_.temperature = per_part(network_of(r_, c_).steady(heat / cycle_.duration));
   }
 
-  /// Computes losses, and all that follows, with parts at the temperatures that the losses cause.
+  /// Computes losses, and all that follows, with parts at the temperatures that the losses cause. Without such a state
+  /// nothing is known that depends on them.
   void warm_parts() {
-    constexpr int kMostSteps = 10;
     constexpr double kSame = 0.01;  ///< [K]
-    double change = HUGE_VAL;
-    for (int k = 0; k < kMostSteps && change > kSame && c_.temperature; ++k) {
-      c_.parts_at = as_written(*c_.temperature);
-      sized_.c.deviations.temperature = c_.parts_at;
+    if (!c_.temperature) return;
+    const ThermalNetwork network = network_of(r_, c_);
+    const auto warmed = [&](const OfParts& parts) -> std::optional<OfParts> {
+      c_.parts_at = sized_.c.deviations.temperature = per_part(parts);
       find_losses();
-      if (c_.temperature) change = (of_parts(*c_.temperature) - of_parts(*c_.parts_at)).cwiseAbs().maxCoeff();
+      if (!c_.temperature) return std::nullopt;
+      return network.conductance * (of_parts(*c_.temperature).array() - network.ambient).matrix();
+    };
+    const auto constant = [](const PerInterface<double>&) { return std::optional(OfParts(OfParts::Ones())); };
+    const HeatSource source{warmed, [] { return std::string("slip finds no equilibrium"); }, constant, constant, false};
+    const SteadyHeat found = find_steady_heat(network, source, of_parts(*c_.temperature), 0.1 * kSame);
+    if (found.converged()) {
+      warmed(of_parts(as_written(per_part(found.temperature))));
+      return;
     }
-    if (c_.temperature && change > kSame) c_.temperature.reset();
+    why_not_steady_ = fmt::format("{}: {}", name(found.status), found.reason);
+    c_.parts_at = sized_.c.deviations.temperature = std::nullopt;
+    c_.temperature = std::nullopt;
+    c_.power_lost = c_.efficiency = c_.back_driving_efficiency = std::nullopt;
+    c_.self_locking = std::nullopt;
+    for (Branch& b : branches_) {
+      const bool moves = b.driven_by.has_value();
+      Branch none;
+      none.name = b.name, none.driven_by = b.driven_by;
+      if (!moves) none.torque = b.torque;
+      b = none;
+    }
+    c_.segments.assign(branches_.begin(), branches_.end());
   }
 
   bool locks() const { return c_.self_locking.value_or(false); }
@@ -355,10 +376,13 @@ class Evaluation {
     const DriveMotor& m = r_.motor;
     const std::string_view rests = cycle_.moves() ? "" : "nothing moves";
     const std::string_view no_load = cycle_.mean_load ? "" : "nothing moves under force";
-    const std::string_view no_loads = "thread loads do not converge";
+    const bool is_steady = why_not_steady_.empty();
+    const std::string_view no_loads = is_steady ? "thread loads do not converge" : std::string_view(why_not_steady_);
     const bool by_row = r_.losses == Requirement::Losses::catalogue;
     const std::string_view no_efficiency =
-        by_row ? "the row has no efficiency" : "slip has no equilibrium, and the row no efficiency";
+        by_row      ? "the row has no efficiency"
+        : is_steady ? "slip has no equilibrium, and the row no efficiency"
+                    : std::string_view(why_not_steady_);
     const auto in_celsius = [](const std::optional<double>& kelvin) {
       return kelvin ? std::optional(*kelvin - kKelvin) : std::nullopt;
     };
@@ -408,7 +432,7 @@ class Evaluation {
          c_.mission ? std::string_view(c_.mission->reason)
          : !r_.heat ? "state `heat`, with the conductances of nut and screw in their seats"
          : by_row   ? "a catalogue does not say where losses arise"
-                    : "slip has no equilibrium at the temperatures of its losses"},
+                    : no_efficiency},
         r_.heat ? coolest() - kKelvin : 0.0);
     at_most("motor_speed", "rpm", {c_.motor_largest_speed, m.largest_speed, rests});
     at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency, at_mean()});
@@ -443,7 +467,8 @@ class Evaluation {
 
   /// Limit of the temperature: the stated one, or the physical one where parts pass it.
   std::optional<double> limit_of_temperature() const {
-    const bool passes = c_.hottest_part() > kHottest || (c_.mission && !c_.mission->converged());
+    const bool passes =
+        c_.hottest_part() > kHottest || !why_not_steady_.empty() || (c_.mission && !c_.mission->converged());
     return r_.limits.temperature || !passes ? r_.limits.temperature : std::optional(kHottest);
   }
   /// Temperature of the surroundings, or of a cooler start [K].
@@ -576,6 +601,7 @@ class Evaluation {
   double lead_ = 0.0;    ///< |l| [m]
   double rating_ = 1.0;  ///< a1 a_ISO
   Measures measures_;
+  std::string why_not_steady_;    ///< Reason why the parts have no steady temperatures; empty: they have.
   std::vector<Branch> branches_;  ///< Branches of the shown segments.
   bool drives_ = false;           ///< Whether the screw drives in any segment.
   SizedCandidate c_;

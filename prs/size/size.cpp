@@ -530,6 +530,8 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   c.bearings = r.bearings;
   c.measures = r.measures;
   c.measures->shaft = MeasureOptions::Shaft{sized.shaft_length, r.shaft.ends};
+  if (!r.load.positive_force && cycle.largest_sign < 0.0)
+    c.measures->shaft->largest_compression = rounded(cycle.largest_compression);
   sized.drag_torque = r.load.drag_torque;
   if (r.preload) {
     Preload& preload = c.preload.emplace();

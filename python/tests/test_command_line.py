@@ -155,6 +155,13 @@ def test_wrong_files_read_as_the_program_says(name: str, program: Run, tmp_path:
     assert str(raised.value) == run.stderr.removesuffix("\n")
 
 
+def test_line_ends_of_old_macs_are_line_ends(program: Run, tmp_path: Path) -> None:
+    file = tmp_path / "case.yaml"
+    file.write_bytes(lesson(1).text.replace("\n", "\r").encode())
+    assert program("check", file, "--quiet").returncode == 0
+    assert rs.Case.from_yaml(file).text == lesson(1).text
+
+
 @pytest.mark.parametrize("name", ["nothing.yaml", ".", "folder/nothing.yaml", "huge.yaml"])
 def test_unreadable_files_read_as_the_program_says(name: str, program: Run, tmp_path: Path) -> None:
     (tmp_path / "huge.yaml").write_text("# " + "x" * (2 << 20))

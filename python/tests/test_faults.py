@@ -80,7 +80,7 @@ WRITING = {
 SOME = tuple(WRITING) if THOROUGH else ("solve", "study", "report")
 
 #: Of an interrupted program, as shells report it.
-INTERRUPTED = {"INT": 130, "TERM": 143}
+INTERRUPTED = {"HUP": 129, "INT": 130, "TERM": 143}
 
 
 def program() -> str:
@@ -243,6 +243,28 @@ def test_too_many_open_files_are_no_fault_of_the_input(bench: Bench) -> None:
     run = bench.run("solve", bench.output(), "prlimit", "--nofile=4")
     assert run.returncode == 1
     assert "cannot open '01_config_1_to_3.yaml': Too many open files" in run.stderr
+
+
+def test_too_few_open_files_to_list_what_was_written_are_told(bench: Bench) -> None:
+    out = bench.output()
+    run = bench.run("solve", out, "prlimit", "--nofile=5")
+    assert (run.returncode, (out / FILE_LIST).exists()) == (1, False), run.stderr
+    assert "Too many open files" in run.stderr
+
+
+@pytest.mark.parametrize("name", ["study", "merge", "optimize"])
+def test_too_few_open_files_leave_out_no_result(bench: Bench, name: str) -> None:
+    expected = bench.undisturbed(name)
+    for number in range(4, 16):
+        out = bench.output()
+        run = bench.run(name, out, "prlimit", f"--nofile={number}")
+        assert run.returncode in (0, 1), (number, run.stderr)
+        if run.returncode == 0:
+            assert contents(out).keys() == expected.keys(), number
+        else:
+            assert "Too many open files" in run.stderr, (number, run.stderr)
+            for wrong in ("filesystem error", "not installed", "Permission denied"):
+                assert wrong not in run.stderr, (number, run.stderr)
 
 
 def test_scarce_memory_is_told_also_where_documents_are_taken_apart(bench: Bench) -> None:
@@ -428,7 +450,7 @@ def calls_of(bench: Bench, name: str) -> tuple[list[int], list[int]]:
     return calls, unfinished or calls
 
 
-@pytest.mark.parametrize("signals", ["INT", "TERM", "INT twice"])
+@pytest.mark.parametrize("signals", ["HUP", "INT", "TERM", "INT twice"])
 @pytest.mark.parametrize("name", SOME)
 def test_signals_leave_nothing_unfinished(bench: Bench, name: str, signals: str) -> None:
     if not tracing():
@@ -451,6 +473,20 @@ def test_signals_leave_nothing_unfinished(bench: Bench, name: str, signals: str)
         assert again.returncode == 0, again.stderr
         assert_in_order(bench, name, out, again)
         assert contents(out).keys() == bench.undisturbed(name).keys()
+
+
+@pytest.mark.parametrize("name", ["study", "merge"])
+def test_a_signal_while_results_are_written_leaves_no_lock(bench: Bench, name: str) -> None:
+    if not tracing():
+        pytest.skip("no strace")
+    out = bench.output()
+    inject = "inject=rename:signal=INT:when=1"
+    run = bench.run(
+        name, out, "strace", "-f", "-o", "/dev/null", "-e", "trace=rename", "-e", inject
+    )
+    assert run.returncode == 130, run.stderr
+    assert not (out / "study.lock").exists()
+    assert ("the same command continues from there" in run.stderr) == (name == "study")
 
 
 # Names, locks and leftovers
@@ -478,6 +514,35 @@ def test_a_percent_sign_in_a_name_is_drawn(bench: Bench) -> None:
     run = run_prs(bench.folder, *words)
     assert (run.returncode, run.stderr) == (0, "")
     assert "pull 50 %<" in (out / "plots" / "power_by_source.svg").read_text()
+
+
+def test_a_line_end_in_a_name_is_a_blank(bench: Bench) -> None:
+    run = run_prs(bench.folder, "check", "no\nsuch/case.yaml")
+    assert (run.returncode, run.stderr.count("\n")) == (2, 1), run.stderr
+    assert run.stderr.startswith("no such/case.yaml:1:1: error: ")
+    written = bench.output() / "a\nb.yaml"
+    run = run_prs(bench.folder, "new", "standard", str(written))
+    assert (run.returncode, run.stderr.count("\n")) == (0, 1), run.stderr
+    assert written.exists()
+
+
+def test_a_candidate_is_printed_alone(bench: Bench) -> None:
+    file = bench.output() / "screw.yaml"
+    written = ("--write", "1", str(file), "--write", "1", "-")
+    run = run_prs(bench.folder, "size", "32_press.yaml", *written)
+    assert run.returncode in (0, 3), run.stderr
+    assert run.stdout == file.read_text()
+
+
+def test_a_page_that_cannot_be_written_leaves_no_temporary_folder(bench: Bench) -> None:
+    out = bench.output()
+    limit = (shutil.which("prlimit") or "", "--fsize=1000")
+    page = ("explore", "05_standard_screw.yaml")
+    run = run_prs(bench.folder, *page, before=limit, env={"TMPDIR": str(out)})
+    if "the engine of live pages" in run.stderr:
+        pytest.skip(run.stderr)
+    assert run.returncode == 1, run.stderr
+    assert list(out.iterdir()) == []
 
 
 def dead_process() -> int:

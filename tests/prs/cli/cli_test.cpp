@@ -252,11 +252,19 @@ TEST_F(CommandLine, NewWritesCasesThatSolveWithoutWarning) {
   EXPECT_EQ(prs("new sideways").status, 2);
 }
 
-TEST_F(CommandLine, OutputThatCannotBeWrittenIsStatus1) {
+TEST_F(CommandLine, OutputThatIsNoFolderIsStatus2) {
   std::ofstream(folder / "file") << "x";
-  const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output '" + (folder / "file").string() + "'");
+  for (const std::string& place : {(folder / "file").string(), std::string("/dev/null"), std::string("/dev/full")}) {
+    const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output '" + place + "'");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find(place + ", which is a file"), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(CommandLine, OutputThatCannotBeWrittenIsStatus1) {
+  const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output /proc/nowhere");
   EXPECT_EQ(run.status, 1);
-  EXPECT_NE(run.err.find("file"), std::string::npos);
+  EXPECT_NE(run.err.find("cannot write '/proc/nowhere'"), std::string::npos) << run.err;
 }
 
 TEST_F(CommandLine, StudyWritesARowADesign) {

@@ -75,6 +75,17 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
             "--set: got mechanism.rollers; expected PATH=VALUE, for example"},
            {"check " + screw + " --set =9", "--set: got =9; expected PATH=VALUE"},
            {"check " + screw + " --set ''", "--set: got nothing; expected PATH=VALUE"},
+           {"compare " + screw + " ''", "OTHER: got nothing; expected a file; see `prs help compare`"},
+           {"list commands ''", "FILE: got nothing; expected a file"},
+           {"manual solve -o ''", "--output: got nothing; expected a folder"},
+           {"manual -o README.md", "--output: got README.md, which is a file; expected a folder"},
+           {"new ''", "TYPE: got nothing; expected standard|inverted|recirculating"},
+           {"new standard ''", "FILE: got nothing; expected a file"},
+           {"study merge ''", "DIR: got nothing; expected a folder"},
+           {"configurations --lead 5mm --screw-diameter 25mm --write 1 ''", "--write: got nothing; expected a file"},
+           {"configurations --lead 5mm --screw-diameter 25mm --json --write 1 -",
+            "got --json and `-` for a case; expected one document; give a file for the case"},
+           {"'a b.yaml'", "for example `prs check 'a b.yaml'`"},
            {"configurations --lead 3mm",
             "--screw-diameter: missing; expected this or `--nut-diameter`; give one of them"},
            {"configurations --screw-diameter 24 --lead 3mm",
@@ -136,10 +147,11 @@ TEST(Usage, AFileInPlaceOfTheOutputFolderIsToldBeforeAnythingIsComputed) {
   std::ofstream(folder.path() / "file") << "x";
   for (const std::string command : {"solve", "study", "optimize", "check"}) {
     const Outcome run = run_prs(command + " missing.yaml -o file", folder.path());
-    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.status, 2);
     EXPECT_EQ(run.err,
               "prs: error: --output: got file, which is a file; expected a folder; give another "
-              "name\n");
+              "name; see `prs help " +
+                  command + "`\n");
   }
 }
 

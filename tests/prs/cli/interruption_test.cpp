@@ -17,6 +17,25 @@ TEST(InterruptionDeathTest, EndsARunThatDoesNotStopInTime) {
       testing::ExitedWithCode(143), "prs: interrupted; too long");
 }
 
+TEST(InterruptionDeathTest, EndsAProgramWhoseTerminalClosesExceptUnderNohup) {
+  EXPECT_EXIT(
+      {
+        ::signal(SIGHUP, SIG_DFL);
+        end_on_interrupt();
+        ::raise(SIGHUP);
+      },
+      testing::ExitedWithCode(129), "prs: interrupted");
+  EXPECT_EXIT(
+      {
+        ::signal(SIGHUP, SIG_IGN);
+        end_on_interrupt();
+        const Interruption run;
+        ::raise(SIGHUP);
+        ::_exit(Interruption::asked() ? 1 : 0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
 TEST(InterruptionDeathTest, LeavesARunThatStoppedInTime) {
   EXPECT_EXIT(
       {

@@ -249,6 +249,22 @@ TEST_F(NewCase, AnExistingFileStays) {
   }
 }
 
+TEST_F(NewCase, TheNextStepIsACommandOfAShell) {
+  EXPECT_THAT(prs("new standard 'a b;c.yaml'").err, HasSubstr("`prs check 'a b;c.yaml'` is the next step"));
+  EXPECT_THAT(prs("new standard -- -c.yaml").err, HasSubstr("`prs check ./-c.yaml` is the next step"));
+}
+
+TEST_F(NewCase, AFileThatCannotBeIsNamedWithTheReason) {
+  fs::create_symlink("loop", folder.path() / "loop");
+  for (const auto& [file, reason] : std::initializer_list<std::pair<std::string, const char*>>{
+           {std::string(300, 'n'), "nnn': File name too long"}, {"loop/a.yaml", "loop': Too many levels"}}) {
+    const test::Outcome run = prs("new standard " + file);
+    EXPECT_EQ(run.status, 1) << run.err;
+    EXPECT_THAT(run.err, StartsWith("prs: error: cannot write '"));
+    EXPECT_THAT(run.err, HasSubstr(reason));
+  }
+}
+
 TEST_F(NewCase, ALessonComesWithTheFilesThatItReads) {
   for (const char* lesson : {"14", "14_flight_spectrum", "flight_spectrum"}) {
     const std::string name = std::string("by_") + lesson;

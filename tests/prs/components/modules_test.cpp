@@ -101,6 +101,13 @@ TEST_F(WithoutModules, FoundBesideTheProgramOrBelowLib) {
   }
 }
 
+TEST_F(WithoutModules, OneThatDoesNotLoadIsNoneThatIsMissing) {
+  std::ofstream(alone.parent_path() / "prs_netcdf.so") << "no library";
+  const test::Outcome run = study("--threads 1");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("prs: error: this needs netCDF, and prs_netcdf.so does not load: "));
+}
+
 TEST_F(WithoutModules, NamesTheLibraryThatAModuleLacks) {
   std::string module = test::content_of(fs::path(test::program()).parent_path() / "../../lib/prs/prs_tbb.so");
   const std::size_t name = module.find("libtbb.so");

@@ -425,6 +425,9 @@ TEST_F(ConfigurationsCommand, WritesACaseThatChecks) {
   const auto document = nlohmann::json::parse(prs("check case.yaml --json").out);
   EXPECT_EQ(document["contact"]["max_rollers"], 11);
   EXPECT_EQ(document["warnings"].dump(), "[]");
+  const test::Outcome printed = prs(asked + "--type inverted --rollers 9 --write 1 -");
+  EXPECT_EQ(printed.out, test::content_of(folder.path() / "case.yaml"));
+  EXPECT_EQ(printed.err, "");
   const test::Outcome again = prs(asked + "--write 1 case.yaml");
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("exists already"));
