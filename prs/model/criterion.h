@@ -176,6 +176,7 @@ inline constexpr CriterionRow kCriteria[] = {
     {.name = "convergence", .title = "Convergence", .why = "all converged", .before = "not converged: "},
     {.name = "contacts_per_roller", .title = "Contacts per roller", .source = LimitSource::recommended},
     {.name = "rollers", .title = "Rollers", .source = LimitSource::recommended},
+    {.name = "shaft_length", .title = "Distance between the shaft's supports", .unit = "mm"},
     {.name = "roller_ends", .title = "Diameter of the rollers' ends", .unit = "mm", .sense = Sense::greatest},
     {.name = "input", .title = "Input"},
     {.name = "largest_speed", .sense = Sense::greatest, .of_drive = true},        ///< [rad/s]

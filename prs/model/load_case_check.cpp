@@ -355,12 +355,12 @@ void need_life(const Case& c, Problems& problems) {
 
 void check_measures(const Case& c, Problems& problems) {
   const MeasureOptions& m = *c.measures;
-  if (m.shaft && c.structure && carrier_part(c.mechanism.type) == Part::nut)
-    if (const double least = m.shaft->stroke.value_or(0.0) + c.structure->nut.length; m.shaft->length < least)
+  if (m.shaft && m.shaft->stroke && c.structure && carrier_part(c.mechanism.type) == Part::nut)
+    if (const double least = *m.shaft->stroke + c.structure->nut.length; m.shaft->length < least)
       problems.add("measures.shaft.length",
-                   "got {}; expected at least {}, {}the nut's length; lengthen the shaft{}", mm(m.shaft->length),
-                   mm(least), m.shaft->stroke ? fmt::format("the stroke of {} and ", mm(*m.shaft->stroke)) : "",
-                   m.shaft->stroke ? " or shorten the stroke" : "");
+                   "got {}; expected at least {}, the stroke of {} and the nut's length; lengthen the shaft or shorten "
+                   "the stroke",
+                   mm(m.shaft->length), mm(least), mm(*m.shaft->stroke));
   if (m.system && m.system->support_bearing && c.bearings && c.bearings->fixed.stiffness)
     problems.add("measures.system.support_bearing",
                  "got a stiffness next to `bearings.fixed.stiffness`; expected one of them; delete the other");

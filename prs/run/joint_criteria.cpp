@@ -46,6 +46,19 @@ std::optional<FoundCriterion> few(CriterionKey key, int count, int least, const 
   return found;
 }
 
+/// Supports of the screw between which its nut does not fit.
+std::optional<FoundCriterion> short_shaft(const Case& c) {
+  if (!c.structure || !c.measures || !c.measures->shaft || carrier_part(c.mechanism.type) != Part::nut ||
+      c.measures->shaft->length >= c.structure->nut.length)
+    return std::nullopt;
+  FoundCriterion found("shaft_length");
+  found.value = c.measures->shaft->length * "mm"_per_si;
+  found.limit = c.structure->nut.length * "mm"_per_si;
+  found.standing = Standing::red;
+  found.note = "the nut is longer";
+  return found;
+}
+
 /// Ends of rollers that overlap those of their neighbours, or the core of the screw's thread.
 std::optional<FoundCriterion> thick_ends(const Case& c, const Mechanism& m) {
   if (!c.structure || !m.centre_distance || !m.pitch_diameter.screw) return std::nullopt;
@@ -105,7 +118,8 @@ std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contact
            axial_play(contacts),
            few("contacts_per_roller", c.mechanism.contacts_per_roller, 8,  // Catalogues have 20 contacts and more.
                "makers' nuts have more: check the length of the nut"),
-           few("rollers", c.mechanism.rollers, 3, "fewer do not centre the screw"), thick_ends(c, contacts.mechanism)})
+           few("rollers", c.mechanism.rollers, 3, "fewer do not centre the screw"), thick_ends(c, contacts.mechanism),
+           short_shaft(c)})
     if (found) all.push_back(*found);
   return all;
 }

@@ -123,8 +123,9 @@ class Evaluation {
     rating_ = life.rated_over_l10();
     if (life.converged() && why_not_steady_.empty()) {
       c_.by_threads.static_safety = life.static_safety();
-      if (cycle_.mean_load)
-        c_.by_threads.life = life_of(life.system_life * rating_ * cycle_.travel / cycle_.loaded_travel);
+      // Under preload ways without force are in the spectrum too.
+      const double of_spectrum = r_.preload ? cycle_.travel : cycle_.loaded_travel;
+      if (cycle_.mean_load) c_.by_threads.life = life_of(life.system_life * rating_ * cycle_.travel / of_spectrum);
     }
     c_.life = c_.by_threads.life;
     c_.static_safety = c_.by_threads.static_safety;

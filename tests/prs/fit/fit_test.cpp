@@ -335,6 +335,30 @@ TEST(FitCase, ConditionsMayBeWordsAndCurvesHeldBack) {
   EXPECT_NEAR(curve["measured"][0].get<double>(), 12.0, 1e-9);
 }
 
+/// Curves may have the same response at the same conditions: one curve cut in two, or measured twice.
+TEST(FitCase, ACurveInTwoPartsIsTheCurve) {
+  json whole = input_of("friction-on-the-bench");
+  whole["fit"]["profile"] = json::array();
+  json& curves = whole["fit"]["curves"];
+  curves = json::array({curves[0]});
+  curves[0]["deviation"] = "0.05 N m";
+  whole["fit"]["parameters"] = json::array({{{"path", "carrier.screw_torque"}, {"from", "0 N m"}, {"to", "3 N m"}}});
+  curves[0]["response"] = "slip.torque_screw_Nm";
+  curves[0]["measured"] = {{"column", "M"}, {"unit", "N m"}};
+  curves[0]["conditions"] = {{{"path", "load_cases[0].axial_force"}, {"column", "F"}, {"unit", "kN"}}};
+  json cut = whole;
+  cut["fit"]["curves"].push_back(cut["fit"]["curves"][0]);
+  for (const char* name : {"one", "two"}) cut["fit"]["curves"][name == std::string("two") ? 1 : 0]["name"] = name;
+  whole["fit"]["curves"][0]["file"] = cut["fit"]["curves"][0]["file"] = "one.csv";
+  cut["fit"]["curves"][1]["file"] = "two.csv";
+  const json of_whole = fitted_document(whole, {{"one.csv", "F;M\n16;16.48\n8;8.24\n16;16.5\n5;5.15\n"}});
+  const json of_cut =
+      fitted_document(cut, {{"one.csv", "F;M\n16;16.48\n8;8.24\n"}, {"two.csv", "F;M\n16;16.5\n5;5.15\n"}});
+  EXPECT_EQ(of_cut["status"], "converged");
+  EXPECT_NEAR(of_cut["parameters"][0]["value"].get<double>() / of_whole["parameters"][0]["value"].get<double>(), 1.0,
+              1e-8);
+}
+
 TEST(FitCase, EveryLoadOfAPreloadSeriesIsThatOfItsRow) {
   json input = input_of("play-on-the-bench");
   input.erase("fit");

@@ -195,6 +195,75 @@ TEST(Verdict, ADriveCountsForPressureSpeedAndBuckling) {
   EXPECT_EQ(buckling["state"], "red");
 }
 
+/// Forces of a spectrum count although `life` has no result, and nothing is met without it.
+TEST(Verdict, ASpectrumWithoutLifeIsNotLost) {
+  const Overrides own{"materials.youngs_modulus=110 GPa", "measures.shaft={length: 2 m, ends: fixed_free}",
+                      "life={position: 10 mm, spectrum: [{force: 10 kN, direction: tension, share: 0.5}, {force: 300 "
+                      "kN, direction: compression, share: 0.5}]}",
+                      "bearings={fixed: {dynamic_capacity: 20 kN, static_capacity: 40 kN}}"};
+  const Json v = verdict(kMeasured, own);
+  EXPECT_EQ(v["failed"], Json({"life"}));
+  const Json measures = document(Command::measures, kMeasured, own)["measures"];
+  const Json buckling = criterion(v, "buckling_safety"), bearing = criterion(v, "bearing_static_safety"),
+             pressure = criterion(v, "peak_pressure");
+  EXPECT_NEAR(buckling["value"].get<double>(), measures["buckling_load_N"].get<double>() / 300e3, 1e-12);
+  EXPECT_EQ(buckling["load_case"], "life.spectrum");
+  EXPECT_NEAR(bearing["value"].get<double>(), 40.0 / 300.0, 1e-12);
+  EXPECT_THAT(pressure["reason"].get<std::string>(), HasSubstr("without `life`"));
+  EXPECT_NE(pressure["state"], "green");
+}
+
+/// Values that no screw has are named.
+TEST(Verdict, UnusualCapacitiesAreAmber) {
+  for (const Overrides& odd : {Overrides{"life.dynamic_capacity=60 N"}, Overrides{"life.static_capacity=3e9 N"},
+                               Overrides{"life.dynamic_capacity=90 kN", "life.static_capacity=60 kN"}}) {
+    Overrides all = odd;
+    all.insert(all.begin(), "life={position: 10 mm, spectrum: [{force: 1 kN, direction: tension, share: 1}]}");
+    const Json input = criterion(verdict(kMeasured, all), "input");
+    ASSERT_FALSE(input.is_null()) << odd[0];
+    EXPECT_EQ(input["state"], "amber");
+    EXPECT_THAT(input["reason"].get<std::string>(), HasSubstr("capacity"));
+  }
+}
+
+/// Ends as thick as a screw cannot stand beside it.
+TEST(Verdict, RollerEndsInTheScrewAreRed) {
+  EXPECT_TRUE(criterion(verdict(kMeasured), "roller_ends").is_null());
+  const Json ends = criterion(verdict(kMeasured, {"structure.roller.end_diameter=20 mm"}), "roller_ends");
+  EXPECT_EQ(ends["state"], "red");
+  EXPECT_EQ(ends["value"], 20.0);
+}
+
+TEST(Verdict, AShaftShorterThanItsNutIsRed) {
+  const auto between = [](const char* length) {
+    return criterion(verdict(kMeasured, {fmt::format("measures.shaft={{length: {}, ends: fixed_free}}", length)}),
+                     "shaft_length");
+  };
+  EXPECT_TRUE(between("500 mm").is_null());
+  EXPECT_EQ(between("20 mm")["state"], "red");
+}
+
+/// Static safeties under the drive's largest force, which no load case has, are those of a spectrum with it.
+TEST(Verdict, ADriveCountsForStaticSafety) {
+  const Overrides drive{"bearings={fixed: {dynamic_capacity: 20 kN, static_capacity: 40 kN}}",
+                        "response.load.force={steps: [{at: 90 ms, value: -60 kN}]}"};
+  const Json v = verdict("36_servo_axis.yaml", drive);
+  const double force =
+      document(Command::response, "36_servo_axis.yaml", drive)["response"]["largest"]["compression"]["force_N"];
+  const Json bearing = criterion(v, "bearing_static_safety"), own = criterion(v, "static_safety");
+  EXPECT_NEAR(bearing["value"].get<double>() * force / 40e3, 1.0, 1e-12);
+  const Json life = document(
+      Command::life, "36_servo_axis.yaml",
+      {fmt::format("life={{position: 12 mm, dynamic_capacity: 30 kN, spectrum: [{{force: {:.17g} N, direction: "
+                   "compression, share: 1}}]}}",
+                   force)})["life"];
+  EXPECT_NEAR(own["value"].get<double>() / life["static_safety"].get<double>(), 1.0, 1e-9);
+  for (const Json& c : {bearing, own}) {
+    EXPECT_EQ(c["load_case"], "response");
+    EXPECT_EQ(c["state"], "red");
+  }
+}
+
 /// Also if only `preload` takes it into account.
 TEST(Verdict, PressureIsThatUnderPreload) {
   const Overrides strong{"preload.force=90 kN", "preload.load={from: 2 kN, to: 4 kN, steps: 2}",

@@ -197,5 +197,43 @@ TEST(WrittenCandidate, OfAShaftShorterThanStrokeAndNutIsRefused) {
                input::InputError);
 }
 
+TEST(WrittenCandidate, HasWaysWithoutForceUnderPreload) {
+  expect_one_set_of_numbers(
+      "motion: {segments: [{name: a, duration: 1 s, end_speed: 50 mm/s, force: 8 kN}, {name: b, duration: 1 s, "
+      "end_speed: 50 mm/s, force: 0 N}, {name: c, duration: 1 s, end_speed: 0 mm/s, force: 8 kN}]}\n"
+      "preload: {force: 2 kN}\nlife: {hours: 9000 h}\ncandidates: {designs: {screw_diameter: 32 mm, lead: 10 mm, "
+      "starts: 5}}\n");
+}
+
+/// Where the sense of the forces is not stated, the larger one may compress the screw.
+TEST(WrittenCandidate, HasTheBucklingOfForcesOfUnknownSense) {
+  expect_one_set_of_numbers(
+      "motion: {segments: [{name: a, duration: 0.5 s, end_speed: 100 mm/s, force: 2.5 kN}, {name: b, duration: 0.5 s, "
+      "end_speed: 100 mm/s, force: 0 N}, {name: c, duration: 1 s, end_speed: 0 mm/s, force: -3 kN}]}\n"
+      "limits: {buckling_safety: 2}\ncandidates: {designs: {screw_diameter: 32 mm, lead: 10 mm, starts: 5}}\n");
+}
+
+/// A preload that grows with the temperatures leaves no steady state, and nothing that depends on it is delivered.
+TEST(WrittenCandidate, WithoutASteadyStateHasNoTemperatures) {
+  const SizeResult result = size_screws(read_requirement(input::source_of_text(
+      "need.yaml",
+      "motion: {loads: [{force: 8 kN, speed: 100 mm/s, share: 100 %}]}\n"
+      "heat: {conductance: {nut_ambient: 10 W/K, screw_ambient: 3 W/K}}\npreload: {force: 2 kN}\n"
+      "limits: {temperature: 80 degC, efficiency: 50 %}\nmodel: {loads: static}\n"
+      "candidates: {designs: {screw_diameter: 30 mm, lead: 10 mm, starts: 5}}\n",
+      {})));
+  const SizedCandidate& candidate = result.candidates.front();
+  EXPECT_FALSE(candidate.passes);
+  EXPECT_FALSE(candidate.temperature || candidate.parts_at || candidate.power_lost || candidate.efficiency ||
+               candidate.life.revolutions || candidate.static_safety || candidate.self_locking);
+  EXPECT_EQ(candidate.preload_force, 2000.0);
+  for (const SizeCriterion& c : candidate.criteria)
+    if (c.name == "temperature" || c.name == "efficiency") {
+      EXPECT_EQ(c.status, CriterionStatus::not_computed) << c.name;
+      EXPECT_TRUE(c.reason.starts_with("no_steady_state: the parts heat up beyond 726.85 degC")) << c.reason;
+    }
+  EXPECT_NO_THROW(criteria_of(input::source_of_text("written.yaml", written_candidate(result.input, candidate), {})));
+}
+
 }  // namespace
 }  // namespace prs
