@@ -101,9 +101,12 @@ struct FitEvaluation::Parts {
     for (const FitCondition& condition : curve.conditions) key += condition.path + condition.unit;
     auto group = std::ranges::find(groups, key, &Group::key);
     if (group == groups.end()) {
-      group = groups.insert(
-          groups.end(),
-          Group{.key = key, .curves = {}, .response_of = {}, .input = {input.source, curve.base, {}}, .designs = {}, .design_of = {}});
+      group = groups.insert(groups.end(), Group{.key = key,
+                                                .curves = {},
+                                                .response_of = {},
+                                                .input = {input.source, curve.base, {}},
+                                                .designs = {},
+                                                .design_of = {}});
       Study& study = group->input.study;
       study.command = curve.command;
       study.plan = Plan::monte_carlo;

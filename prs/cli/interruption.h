@@ -9,7 +9,7 @@ namespace prs::cli {
 /// Message of a program that a signal ends.
 inline std::atomic<const char*> interruption_text = "prs: interrupted\n";
 
-/// That message while a journal keeps the results.
+/// Message while a journal keeps the results.
 inline constexpr const char* kContinues = "prs: interrupted; the same command continues from there\n";
 
 /// While the object lives, the first Ctrl-C, SIGTERM or SIGHUP only requests a stop; the next one ends the program.

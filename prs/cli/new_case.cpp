@@ -29,7 +29,7 @@ std::string content_of_file(const fs::path& file) { return input::load_source(fi
 /// Copies the files that the lesson reads.
 void copy_companions(const Lesson& lesson, const fs::path& file) {
   const std::vector<std::string> names = companions(input::load_source(lesson.file.string(), {}));
-  for (const std::string& name : names) refuse_existing(file.parent_path() / name);
+  for (const std::string& name : names) refuse_taken(OutputOptions{}, file.parent_path() / name);
   for (const std::string& name : names)
     write_case(file.parent_path() / name, content_of_file(lesson.file.parent_path() / name));
 }
@@ -95,13 +95,15 @@ void write_configuration(const Configuration& configuration, const Options& opti
       fail_option("--write", "line {}: {}: {}", o.write[0], error.path(), error.what());
     }
   }();
-  refuse_existing(o.write[1]);
+  refuse_taken(options, o.write[1]);
   write_new(options, o.write[1], text, fmt::format("line {} is written", o.write[0]));
 }
 
 }  // namespace
 
-void refuse_existing(const fs::path& file) {
+void refuse_taken(const OutputOptions& options, const fs::path& file) {
+  if (file == kStandardInput && options.json)
+    throw UsageError("got --json and `-` for a case; expected one document; give a file for the case");
   std::error_code told_by_the_file;
   if (file != kStandardInput && fs::exists(fs::symlink_status(file, told_by_the_file)))
     throw UsageError("{}: the file exists already; give another name", input::shown(file.string()));
@@ -113,7 +115,6 @@ void write_new(const OutputOptions& options, const std::string& file, const std:
     write_case(file, text);
     return note(options, fmt::format("{}: {}; `prs check {}` is the next step", file, said, quoted(file)));
   }
-  if (options.json) throw UsageError("got --json and `-` for a case; expected one document; give a file for the case");
   print(text);
 }
 
@@ -160,7 +161,7 @@ int new_case(const Options& all) {
   }
   const std::optional<Lesson> copied = options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;
   if (options.file.empty()) options.file = kStandardInput;
-  refuse_existing(options.file);
+  refuse_taken(all, options.file);
   if (copied && options.file != kStandardInput) copy_companions(*copied, options.file);
   const std::string assumed = copied ? "" : assumptions(options);
   write_new(all, options.file, copied ? content_of_file(copied->file) : new_text(options),

@@ -4,8 +4,8 @@
 
 namespace prs::cli {
 
-/// Throws UsageError if the new file exists already.
-void refuse_existing(const std::filesystem::path& file);
+/// Throws UsageError if the new file exists already, or is standard output that has a document already.
+void refuse_taken(const OutputOptions& options, const std::filesystem::path& file);
 /// Writes a case into a new file, and says so with the next step; prints it for `-`.
 void write_new(const OutputOptions& options, const std::string& file, const std::string& text, const std::string& said);
 /// Lists the geometries that a screw diameter and a lead allow.

@@ -82,7 +82,8 @@ bool reserve_standard_streams() {
 
 void print_on_one_line(const std::filesystem::path& file) {
   for (const std::filesystem::path& part : file)
-    if (part.native().find('\n') != std::string::npos) names_of_lines.push_back(part.string());
+    if (part.native().find('\n') != std::string::npos && part.native().find_first_not_of('\n') != std::string::npos)
+      names_of_lines.push_back(part.string());
 }
 
 void print(std::string_view text) {

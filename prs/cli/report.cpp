@@ -91,7 +91,7 @@ struct PageFolder {
 };
 
 /// Name of a page of this case.
-std::string page_name(const std::string& file) {
+std::string file_of_page(const std::string& file) {
   const std::string stem = std::filesystem::path(file).stem().string();
   return (stem.empty() || stem == "-" ? "case" : stem) + ".html";
 }
@@ -165,7 +165,7 @@ int explore(const Options& options) {
   require_live_parts();
   Options at = options;
   std::optional<PageFolder> folder;
-  if (!at.report) at.report = folder.emplace().path / std::filesystem::path(page_name(options.file));
+  if (!at.report) at.report = folder.emplace().path / std::filesystem::path(file_of_page(options.file));
   const Report report = write_page(at);
   if (!options.quiet) print(at.report->string() + "\n");
   if (!open_in_browser(*at.report)) note(options, "prs: xdg-open is missing; open the page in a browser yourself");

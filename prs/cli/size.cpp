@@ -20,7 +20,7 @@ std::vector<std::pair<std::size_t, std::string>> written_of(const Options& optio
                   "got {}; expected the rank of a candidate and a file, for example `--write 1 "
                   "screw.yaml`",
                   input::shown(rank));
-    refuse_existing(file);
+    refuse_taken(options, file);
     all.emplace_back(*number, file);
   }
   return all;

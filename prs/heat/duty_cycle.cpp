@@ -23,7 +23,7 @@ constexpr double kFirstReach = 40.0;       // Rise up to which losses of a missi
 
 /// Effort to find the range of temperatures, and then over it; with solved shares the exact losses cost twenty times
 /// those of equal ones.
-constexpr int kMostCorrections = 4, kMostOnPath = 300;  // Of a table along a path, and exact losses of each.
+constexpr int kMostCorrections = 4, kMostOnPath = 300;  // Most corrections of a table, and losses of each.
 constexpr LossTable::Effort kRoughTable{1e-3, 200}, kTable{1e-9, 6000}, kSolvedTable{3e-9, 1500};
 /// A mission visits ten times the range of a cycle, and nothing is iterated on its end.
 constexpr LossTable::Effort kMissionTable{3e-7, 600}, kSolvedMissionTable{1e-5, 150};
@@ -331,8 +331,8 @@ class Corrected {
     if (is_begun() && holds(path, losses, accuracy, table)) return Outcome::holds;
     if (!is_begun()) rough_ = table;
     if (++corrections_ > kMostCorrections) return Outcome::fails;
-    std::optional<LossTable> next =
-        LossTable::along(path, [&](const OfParts& t) { return losses.at(t); }, {accuracy, kMostOnPath}, *rough_);
+    std::optional<LossTable> next = LossTable::along(
+        path, [&](const OfParts& t) { return losses.at(t); }, {accuracy, kMostOnPath}, *rough_);
     if (!next) return Outcome::fails;
     table = std::move(*next);
     return Outcome::corrected;
@@ -386,7 +386,7 @@ TemperatureBox within_reach(const TemperatureBox& box, const OfParts& start, dou
 /// temperatures alone, anew in each round until they hold on that of the next; where that fails, over the whole range.
 /// In a mission the range grows from the start. `kept`: whether the tables serve other cycles too, in which other load
 /// cases may weigh more.
-FoundCycle find_cycle(const RepeatedCycle& cycle, Duty& duty, const OfParts& guess, bool kept) {
+FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, bool kept) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   FoundCycle found{{std::vector<LossTable>(cases + 1), std::vector<TemperatureBox>(cases), guess}};
@@ -402,8 +402,6 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, Duty& duty, const OfParts& gue
   std::vector<Corrected> corrected(cases);
   std::vector<bool> whole(cases, false);  // Whether a table is good over its range.
   double reach = kFirstReach;
-  std::vector<std::optional<LossTable>> rough(cases);  // What a path corrects, in as many rounds.
-  std::vector<int> corrections(cases, wide ? kMostCorrections : 0);
   for (int round = 0; round < kMostRounds; ++round, reach *= 2.0) {
     if (!duty.start) {
       const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
@@ -423,7 +421,7 @@ FoundCycle find_cycle(const RepeatedCycle& cycle, Duty& duty, const OfParts& gue
     bool is_settled = good;
     for (std::size_t k = 0; k < cases; ++k) {
       LossTable& table = found.tables[k + 1];
-      DutyCase& load = duty.cases[k];
+      const DutyCase& load = duty.cases[k];
       if (good && is_covered(k)) {
         const double accuracy = std::min(load.accuracy() / weights[k], kRoughTable.accuracy);
         const bool is_fine = !wide && !corrected[k].is_begun() && table.error() <= accuracy;
@@ -504,7 +502,7 @@ HeatCycle duty_cycle(const Conditions& c, const Contacts& contacts, std::vector<
                      const DutyLosses* known, DutyLosses* kept, std::optional<double> temperature_limit) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
-  Duty duty = duty_of(c, contacts);
+  const Duty duty = duty_of(c, contacts);
   const RepeatedCycle cycle(network, capacity, duty.segments);
   const int cycles = c.heat->cycles.value_or(1);
   HeatCycle result;

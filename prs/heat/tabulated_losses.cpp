@@ -92,8 +92,7 @@ LossTable::LossTable(const Losses& constant) {
 
 std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at, bool by_rollers, const Effort& effort,
                                          LossTable rough) {
-  return halved(box, temperatures_of, at, {3, 3, by_rollers ? 3 : 1}, effort,
-                std::move(rough));
+  return halved(box, temperatures_of, at, {3, 3, by_rollers ? 3 : 1}, effort, std::move(rough));
 }
 
 std::optional<LossTable> LossTable::along(std::span<const OfParts> path, const At& at, const Effort& effort,

@@ -104,7 +104,7 @@ class ScaledEstimate {
   OfParts ratio_ = OfParts::Ones(), offset_ = OfParts::Zero();
   OfParts at_ = OfParts::Zero(), exact_ = OfParts::Zero();  ///< Last exact heat, and its temperatures.
   bool is_scaled_ = false;
-  Eigen::Matrix3d slope_ = Eigen::Matrix3d::Zero();         ///< [W/K]
+  Eigen::Matrix3d slope_ = Eigen::Matrix3d::Zero();  ///< [W/K]
 };
 
 /// Newton's method from t, where the surplus is known; Broyden's update keeps the derivative.
@@ -162,7 +162,8 @@ std::string not_settled(const std::vector<std::pair<OfParts, OfParts>>& tried) {
       if (const double d = largest(t - other), rise = q.sum() - q_other.sum(); d > 0.0 && rise > steepest * d)
         steepest = rise / d, apart = d, heat = {q.sum(), q_other.sum()};
   return fmt::format(
-      "{} states were tried, and none gives off the heat that it takes up; of two of them, {:.2g} K apart, one takes up "
+      "{} states were tried, and none gives off the heat that it takes up; of two of them, {:.2g} K apart, one takes "
+      "up "
       "{:.4g} W, the other {:.4g} W",
       tried.size(), apart, heat[0], heat[1]);
 }
@@ -219,7 +220,9 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     found.heat = *heat;
     found.temperature = network.steady(*heat);
     const double change = largest(found.temperature - t);
-    if (change <= tolerance) return ended(found, HeatStatus::converged, {});
+    if (change <= tolerance)
+      return is_sound(found.temperature) ? ended(found, HeatStatus::converged, {})
+                                         : ended(found, HeatStatus::no_steady_state, runaway(*heat, network.ambient));
     fine.scale_to(t, *heat);
     const OfParts surplus = network.conductance * (found.temperature - t);
     const double of_estimate = round == 0 ? 1e-2 * change : 0.1 * tolerance;

@@ -67,11 +67,11 @@ Found ended(Found& found, HeatStatus status, std::string reason) {
   return found;
 }
 
-/// Temperatures at which Q(T) = K (T - T_ambient 1), to `tolerance` [K]: the state that the parts reach from `start`, by default
-/// from the temperature of their surroundings, the coolest if there are several. Newton's method on the estimate,
-/// scaled part by part to the last exact heat, which is then recomputed. If the estimate has another crossing between
-/// ambient temperature and the found state, or Newton's method fails, the parts are followed in time by implicit Euler
-/// steps.
+/// Temperatures at which Q(T) = K (T - T_ambient 1), to `tolerance` [K]: the state that the parts reach from `start`,
+/// by default from the temperature of their surroundings, the coolest if there are several. Newton's method on the
+/// estimate, scaled part by part to the last exact heat, which is then recomputed. If the estimate has another crossing
+/// between ambient temperature and the found state, or Newton's method fails, the parts are followed in time by
+/// implicit Euler steps.
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
                             const std::optional<OfParts>& start = {}, double tolerance = 1e-8);
 

@@ -163,8 +163,8 @@ struct StaticForces {
 };
 
 /// Static limits under forces of one sense, with the thread loads solved at the limit, as `analyze_life` computes them
-/// for a spectrum of such forces, with the preload of the conditions; along the axis, so not where a load case of a full
-/// mechanism has side loads of its own. `force`: start of the search [N].
+/// for a spectrum of such forces, with the preload of the conditions; along the axis, so not where a load case of a
+/// full mechanism has side loads of its own. `force`: start of the search [N].
 StaticForces solved_static_forces(const Conditions& c, const Contacts& contacts, Direction direction, double position,
                                   double force);
 

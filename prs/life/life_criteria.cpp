@@ -84,8 +84,9 @@ std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase&
       if (const auto way = loaded_stroke(*r.history, 0.5 * r.mean_load))
         stroke.take(*way / *length, where, "positions under more than half of the mean load");
   }
-  std::vector<FoundCriterion> all{
-      rated_life(r, of), safety, edge, pressure, stroke, speed, compression, tension, convergence(r.converged() ? "" : "life")};
+  std::vector<FoundCriterion> all{rated_life(r, of), safety,  edge,
+                                  pressure,          stroke,  speed,
+                                  compression,       tension, convergence(r.converged() ? "" : "life")};
   if (temperature.value) all.push_back(temperature);
   if (!r.bearing) return all;
   if (const auto life = r.bearing_life())

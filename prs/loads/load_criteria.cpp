@@ -65,9 +65,8 @@ FoundCriterion pressure_criterion(const Result& result, const JudgedCase& of, bo
     if (r.heat && !r.heat->converged()) continue;
     for (const Interface i : kInterfaces)
       if (const auto pressure = largest_pressure(result, r, i))
-        take_pressure(
-            found, *pressure, result.contacts.interfaces[i].pressure_limit, of, r.load_case.name,
-            fmt::format("roller-{}, {}", name(i), words_of_loads(r, of, !at_rest)));
+        take_pressure(found, *pressure, result.contacts.interfaces[i].pressure_limit, of, r.load_case.name,
+                      fmt::format("roller-{}, {}", name(i), words_of_loads(r, of, !at_rest)));
   }
   return found;
 }

@@ -39,8 +39,7 @@ void take_static_limits(const MeasuresResult& r, const JudgedCase& of, FoundCrit
     else if (m->thread_static_safety)
       safety.take(*m->thread_static_safety /
                       (*m->thread_static_safety_limit == StaticLimit::given ? 1.0 : rise_elsewhere(loaded)),
-                  load.name,
-                  fmt::format("{}, {}, {}", shares, describe(*m->thread_static_safety_limit), of.at_rest()));
+                  load.name, fmt::format("{}, {}, {}", shares, describe(*m->thread_static_safety_limit), of.at_rest()));
     if (m->flank_edge_margin)
       edge.take(m->flank_edge_margin, load.name, of.at_rest());
     else

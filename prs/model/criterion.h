@@ -47,6 +47,7 @@ struct CriterionRow {
   bool of_preload = false;                    ///< Without a value where the preload cannot be had.
   bool of_drive = false;                      ///< Might be worse in a drive that could not be computed.
   bool of_life = false;                       ///< Might be worse under a life or temperatures that are not known.
+  bool of_history = false;                    ///< Might be worse under a history whose life is not known.
   bool last_of_equal = false;                 ///< Whether the last of several equal values is named.
 
   bool is_worse(double a, double b) const;
@@ -72,7 +73,8 @@ inline constexpr CriterionRow kCriteria[] = {
      .title = "Static safety of the bearing",
      .limit = &Limits::static_safety,
      .physical = 1.0,
-     .recommended = 1.5},
+     .recommended = 1.5,
+     .of_history = true},
     {.name = "flank_edge",
      .title = "Safety against edge loading",
      .recommended = 1.0,
@@ -97,7 +99,8 @@ inline constexpr CriterionRow kCriteria[] = {
      .limit = &Limits::buckling_safety,
      .physical = 1.0,
      .recommended = 2.0,
-     .needed = Command::measures},
+     .needed = Command::measures,
+     .of_history = true},
     {.name = "critical_speed_share",
      .title = "Share of the critical speed",
      .sense = Sense::greatest,

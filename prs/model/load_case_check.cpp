@@ -217,7 +217,7 @@ void check_spectrum(const Case& c, Problems& problems) {
     const std::string path = fmt::format("life.spectrum[{}]", i);
     shares += l.share.value_or(0.0);
     way += l.distance.value_or(0.0);
-    if (l.force == 0.0 && !c.preload)
+    if (l.force == 0.0 && !(c.preload && !c.preload->backlash))
       problems.add(path + ".force",
                    "got 0 N; expected a force > 0, or a `preload`, under which threads roll without one; delete the "
                    "load, or add `preload`");

@@ -97,7 +97,7 @@ struct MeasureOptions {
   struct Shaft {
     double length = 0.0;  ///< Largest distance between the supports of the screw [m].
     Ends ends = Ends::supported_supported;
-    std::optional<double> stroke = {};  ///< Travel of the nut along the screw [m].
+    std::optional<double> stroke = {};               ///< Travel of the nut along the screw [m].
     std::optional<double> largest_compression = {};  ///< Beside that of the loads of the case [N].
   };
 

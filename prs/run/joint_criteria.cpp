@@ -183,26 +183,34 @@ std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded, 
                                    [](const LoadCaseResult& r) { return r.converged(); }))};
 }
 
-std::vector<FoundCriterion> criteria_under(const Case& c, const Contacts& contacts, Direction direction,
-                                           const FoundCriterion& force) {
-  FoundCriterion safety = static_safety_criterion(c), edge("flank_edge"), bearing("bearing_static_safety");
+std::vector<FoundCriterion> criteria_under(const JudgedCase& of, const Contacts& contacts,
+                                           const std::optional<PerPart<double>>& temperature, bool solves,
+                                           Direction direction, const FoundCriterion& force) {
+  const Case& c = of.c;
+  FoundCriterion safety("static_safety"), edge("flank_edge"), bearing("bearing_static_safety");
   const double largest = *force.value;
   const std::string note = fmt::format("largest force in {}", name(direction));
-  if (c.bearings && c.bearings->fixed.static_capacity)
-    bearing.take(*c.bearings->fixed.static_capacity / largest, force.where, note);
-  const std::optional<double> position =
-      c.life && c.life->position ? c.life->position : c.load_cases.empty() ? std::nullopt : c.load_cases[0].position;
-  const bool solves = position && missing(c, Command::solve).empty();
-  if (const StaticForces found = solves ? solved_static_forces(c, contacts, direction, *position, largest)
-                                        : StaticForces{static_rating({}, c.life ? c.life->static_capacity : std::nullopt), {}};
-      found.rating || found.flank_edge_load) {
-    if (found.rating)
-      safety.take(found.rating->force / largest, force.where,
-                  fmt::format("{}, {}, at rest", note, describe(found.rating->limit)));
-    if (found.flank_edge_load) edge.take(*found.flank_edge_load / largest, force.where, note + ", at rest");
-  }
-  std::vector<FoundCriterion> all{safety, edge};
-  if (bearing.value) all.push_back(bearing);
+  const auto take = [&](FoundCriterion& found, const std::optional<double>& load, const std::string& what) {
+    if (load) found.take(*load / largest, force.where, note + what);
+    found.best.reset();  // The best value is one of load cases.
+  };
+  if (c.bearings) take(bearing, c.bearings->fixed.static_capacity, "");
+  const std::optional<double> position = c.life && c.life->position ? c.life->position
+                                         : c.load_cases.empty()     ? std::nullopt
+                                                                    : c.load_cases[0].position;
+  if (c.life && c.life->static_capacity) take(safety, c.life->static_capacity, ", stated static capacity");
+  if (solves && position && missing(c, Command::solve).empty()) try {
+      Conditions warm = c;
+      if (temperature) warm.deviations.temperature = temperature;
+      const StaticForces found = solved_static_forces(warm, contacts, direction, *position, largest);
+      if (found.rating && !safety.value)
+        take(safety, found.rating->force, fmt::format(", {}, {}", describe(found.rating->limit), of.at_rest()));
+      take(edge, found.flank_edge_load, ", " + of.at_rest());
+    } catch (const CaseError&) {  // Nothing holds the nut in that sense: said where its loads are needed.
+    }
+  std::vector<FoundCriterion> all;
+  for (const FoundCriterion& found : {safety, edge, bearing})
+    if (found.value) all.push_back(found);
   return all;
 }
 
@@ -213,7 +221,7 @@ FoundCriterion buckling_safety(const Case& c, const MeasuresResult& measures, co
                                           : lacks_shaft(c)                  ? kAddShaft
                                           : compression.value
                                               ? "no buckling load"
-                                              : "no load case compresses the screw, `response` was not computed");
+                                              : "no load case compresses the screw, others were not computed");
   found.applies = compression.value || is_unknown;
   if (!compression.value || !load) return found;
   found.take(*load / *compression.value, compression.where, compression.note);

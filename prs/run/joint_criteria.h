@@ -30,12 +30,14 @@ std::vector<FoundCriterion> preloaded_criteria(const PreloadedLoads& preloaded, 
                                                const MeasuresResult* measures);
 
 /// Static safeties and safety against edge loading under the largest force of a sense, where no load case has it: a
-/// force of the drive, or of a spectrum without life. Throws CaseError where no loads can act in that sense.
-std::vector<FoundCriterion> criteria_under(const Case& c, const Contacts& contacts, Direction direction,
-                                           const FoundCriterion& force);
+/// force of the drive, or of a spectrum without life. `of` is warm with `temperature`. Those of threads only if
+/// `solves` and loads can act in that sense.
+std::vector<FoundCriterion> criteria_under(const JudgedCase& of, const Contacts& contacts,
+                                           const std::optional<PerPart<double>>& temperature, bool solves,
+                                           Direction direction, const FoundCriterion& force);
 
 /// The buckling load that `measures` finds over the largest compression of load cases, `life` and `response`;
-/// `is_unknown`: the last was not computed.
+/// `is_unknown`: one of the last was not computed.
 FoundCriterion buckling_safety(const Case& c, const MeasuresResult& measures, const FoundCriterion& compression,
                                bool is_unknown);
 

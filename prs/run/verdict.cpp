@@ -74,6 +74,7 @@ struct Evidence {
   std::vector<std::pair<Command, FoundCriterion>> found = {};
   std::map<Command, std::string> lacking = {};
   bool lacks_life = false;          ///< Whether the case has loads of a life that is not known.
+  bool lacks_history = false;       ///< Whether these are a history, whose forces are then not known.
   bool lacks_temperatures = false;  ///< Whether parts warm up to temperatures that are not known.
 
   void add(Command command, const std::vector<FoundCriterion>& more) {
@@ -102,9 +103,11 @@ struct Evidence {
       return FoundCriterion(row, *why);
     if (row.of_drive && sum->value && lacking.contains(Command::response))
       sum->note += sum->note.empty() ? "without `response`" : ", without `response`";
-    for (const auto& [lacks, words] : {std::pair(lacks_life, ", without `life`"),
-                                       std::pair(lacks_temperatures, ", without the temperatures of operation")})
-      if (row.of_life && sum->value && lacks) {
+    const bool may_be_worse = lacks_life && (row.of_life || (row.of_history && lacks_history));
+    for (const auto& [lacks, words] :
+         {std::pair(may_be_worse, ", without `life`"),
+          std::pair(row.of_life && lacks_temperatures, ", without the temperatures of operation")})
+      if (lacks && sum->value) {
         sum->note += words + (sum->note.empty() ? 2 : 0);
         sum->is_partial = true;
       }
@@ -208,12 +211,13 @@ std::optional<MeasuresResult> measures_where_none_was_tried(const Case& c, std::
   }
 }
 
-/// Values of the input that no screw has, which warnings name.
+/// Values of the input that hardly any screw has, which warnings name.
 void add_unusual(const input::CaseInput& in, Evidence& evidence) {
   std::vector<std::string> paths;
   for (const Warning& warning : in.warnings)
     if (warning.code == "unusual_value") paths.push_back(warning.path);
-  if (const auto& life = in.values.life; life && life->dynamic_capacity > life->static_capacity && life->static_capacity)
+  if (const auto& life = in.values.life;
+      life && life->dynamic_capacity > life->static_capacity && life->static_capacity)
     paths.emplace_back("life.static_capacity, which is below the dynamic one");
   if (paths.empty()) return;
   FoundCriterion input("input");
@@ -230,8 +234,8 @@ bool lacks_life(const Case& c, std::span<const Attempt> attempts, const Evidence
 
 /// Adds static safeties under forces of which no analysis has thread loads: of the drive, and of a spectrum whose life
 /// is not known.
-void add_under_forces(const Case& c, const Contacts& contacts, Evidence& evidence) {
-  if (!analysis_of(Command::life).is_built) return;
+void add_under_forces(const JudgedCase& of, const Contacts& contacts, const Result* slip, Evidence& evidence) {
+  const Case& c = of.c;
   constexpr CriterionKey kTension("largest_tension"), kCompression("largest_compression");
   std::vector<std::pair<Direction, FoundCriterion>> forces;
   for (const auto& [command, found] : evidence.found)
@@ -246,10 +250,12 @@ void add_under_forces(const Case& c, const Contacts& contacts, Evidence& evidenc
         if (load.direction == d && load.force > 0.0) largest.take(load.force, "life.spectrum");
       if (largest.value) forces.emplace_back(d, largest);
     }
-  for (const auto& [direction, force] : forces) try {
-      evidence.add(Command::check, criteria_under(c, contacts, direction, force));
-    } catch (const CaseError&) {  // Nothing holds the nut in that sense: said where the loads are needed.
-    }
+  std::optional<PerPart<double>> hottest;
+  for (std::size_t k = 0; of.is_warm && k < c.load_cases.size(); ++k)
+    if (const auto t = temperature_of(*slip, c, k); t && (!hottest || t->roller > hottest->roller)) hottest = t;
+  const bool solves = analysis_of(Command::life).is_built && !c.model.bodies->meshes && left_out(c).empty();
+  for (const auto& [direction, force] : forces)
+    evidence.add(Command::check, criteria_under(of, contacts, hottest, solves, direction, force));
 }
 
 /// Adds what each analysis found; at rest at the temperatures of the losses, and under preload.
@@ -269,7 +275,9 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
   const Contacts contacts = find_contacts(c.mechanism, c.materials);
   evidence.add(Command::check, case_criteria(c, contacts));
   evidence.lacks_life = lacks_life(c, attempts, evidence);
-  evidence.lacks_temperatures = measures && slip && warms(c.heat) && !warm;
+  evidence.lacks_history = c.life && c.life->history.has_value();
+  evidence.lacks_temperatures =
+      (measures || at_rest) && warms(c.heat) && !warm && (slip || evidence.why_not(Command::slip));
   JudgedCase of{.c = c, .limits = in.limits.value_or(Limits{}), .is_warm = warm.has_value()};
   std::optional<PreloadedLoads> preloaded;
   if (at_rest || under_load) {
@@ -290,10 +298,11 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
         attempt.command != Command::solve && attempt.command != Command::contact)
       evidence.add(attempt.command, attempt.delivery->criteria(of));
 
-  add_under_forces(c, contacts, evidence);
+  add_under_forces(of, contacts, slip, evidence);
   if (measures)
     evidence.add(Command::measures, {buckling_safety(c, *measures, evidence.sum("largest_compression"),
-                                                     evidence.lacking.contains(Command::response)),
+                                                     evidence.lacking.contains(Command::response) ||
+                                                         (evidence.lacks_life && evidence.lacks_history)),
                                      critical_speed_share(c, *measures, evidence.sum("largest_speed"))});
   evidence.add(Command::check, {speed_times_diameter(c, evidence.sum("largest_speed"))});
   if (in.motor)

@@ -89,7 +89,7 @@ class Evaluation {
     if ((!by_maker() || sized_.c.preload) && !r_.has_mission()) warm_parts();
     find_no_load_torque();
     find_lives();
-    if (why_not_steady_.empty()) find_stiffness();
+    if (c_.is_steady) find_stiffness();
     find_torques();
     find_relubrication();
     judge();
@@ -121,7 +121,7 @@ class Evaluation {
     const LifeResult life = analyze_life(sized_.c, contacts_, {}, oils_);
     c_.by_threads.capacity = life.dynamic_capacity;
     rating_ = life.rated_over_l10();
-    if (life.converged() && why_not_steady_.empty()) {
+    if (life.converged() && c_.is_steady) {
       c_.by_threads.static_safety = life.static_safety();
       // Under preload ways without force are in the spectrum too.
       const double of_spectrum = r_.preload ? cycle_.travel : cycle_.loaded_travel;
@@ -203,7 +203,7 @@ class Evaluation {
   void find_no_load_torque() {
     if (!sized_.c.preload) return;
     c_.preload_force = sized_.c.preload->force;
-    if (!why_not_steady_.empty()) return;
+    if (!c_.is_steady) return;
     Conditions idle = sized_.c;
     idle.load_cases = {sized_.c.load_cases[sized_.back_driving()]};
     idle.load_cases.front().axial_force = 0.0;
@@ -279,6 +279,8 @@ class Evaluation {
       return;
     }
     why_not_steady_ = fmt::format("{}: {}", name(found.status), found.reason);
+    c_.is_steady = false;
+    c_.warnings.clear();
     c_.parts_at = sized_.c.deviations.temperature = std::nullopt;
     c_.temperature = std::nullopt;
     c_.power_lost = c_.efficiency = c_.back_driving_efficiency = std::nullopt;
@@ -377,13 +379,11 @@ class Evaluation {
     const DriveMotor& m = r_.motor;
     const std::string_view rests = cycle_.moves() ? "" : "nothing moves";
     const std::string_view no_load = cycle_.mean_load ? "" : "nothing moves under force";
-    const bool is_steady = why_not_steady_.empty();
-    const std::string_view no_loads = is_steady ? "thread loads do not converge" : std::string_view(why_not_steady_);
+    const std::string_view no_loads = c_.is_steady ? "thread loads do not converge" : std::string_view(why_not_steady_);
     const bool by_row = r_.losses == Requirement::Losses::catalogue;
-    const std::string_view no_efficiency =
-        by_row      ? "the row has no efficiency"
-        : is_steady ? "slip has no equilibrium, and the row no efficiency"
-                    : std::string_view(why_not_steady_);
+    const std::string_view no_efficiency = by_row         ? "the row has no efficiency"
+                                           : c_.is_steady ? "slip has no equilibrium, and the row no efficiency"
+                                                          : std::string_view(why_not_steady_);
     const auto in_celsius = [](const std::optional<double>& kelvin) {
       return kelvin ? std::optional(*kelvin - kKelvin) : std::nullopt;
     };
@@ -468,8 +468,7 @@ class Evaluation {
 
   /// Limit of the temperature: the stated one, or the physical one where parts pass it.
   std::optional<double> limit_of_temperature() const {
-    const bool passes =
-        c_.hottest_part() > kHottest || !why_not_steady_.empty() || (c_.mission && !c_.mission->converged());
+    const bool passes = c_.hottest_part() > kHottest || !c_.is_steady || (c_.mission && !c_.mission->converged());
     return r_.limits.temperature || !passes ? r_.limits.temperature : std::optional(kHottest);
   }
   /// Temperature of the surroundings, or of a cooler start [K].
@@ -602,7 +601,7 @@ class Evaluation {
   double lead_ = 0.0;    ///< |l| [m]
   double rating_ = 1.0;  ///< a1 a_ISO
   Measures measures_;
-  std::string why_not_steady_;    ///< Reason why the parts have no steady temperatures; empty: they have.
+  std::string why_not_steady_;    ///< Reason why the parts have no steady temperatures.
   std::vector<Branch> branches_;  ///< Branches of the shown segments.
   bool drives_ = false;           ///< Whether the screw drives in any segment.
   SizedCandidate c_;
@@ -653,14 +652,14 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
     at_speed.name = fmt::format("speed-{}", sized.c.load_cases.size());
   }
   std::optional<Result> found;
-  if (r.losses == Requirement::Losses::slip)
+  if (r.losses == Requirement::Losses::slip && c.is_steady)
     found = analyze_slip(sized.c, checked_contacts(sized.c, Detail::numbers), kManyDesigns, oils);
   using Limit = std::pair<std::string_view, double>;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto limits_at = [&](std::size_t k, double& eta) {
     const double v = speeds[k];
     Branch b;
-    b.efficiency = c.row_efficiency;
+    if (c.is_steady) b.efficiency = c.row_efficiency;
     if (found && slips(found->load_cases[k])) b = branch_by_slip(found->load_cases[k], lead);
     eta = b.efficiency.value_or(kNone);
     std::vector<Limit> limits;

@@ -120,6 +120,7 @@ struct SizedCandidate : CandidateData {
   std::optional<PerPart<double>> temperature;  ///< Mean of the cycle or the mission [K].
   /// Mission of the requirement; the course of temperatures is kept for the candidate with a curve alone.
   std::optional<HeatCycle> mission;
+  bool is_steady = true;  ///< False: the losses leave no steady temperatures, and nothing that depends on them.
   /// Temperatures of the parts for the thread loads [K]; none: the reference temperature.
   std::optional<PerPart<double>> parts_at;
   Heat::Conductance conductance;  ///< Given conductances, else by the rule of `prs new`.

@@ -278,7 +278,7 @@ TEST(SteadyHeat, HeatThatGrowsFasterThanItFlowsOffRunsAway) {
 }
 
 TEST(SteadyHeat, FollowsLossesThatTheEstimateDoesNotFeel) {
-  // As a preload that is lost with the temperatures: 20 (T - 300) = 1000 exp((300 - T)/10).
+  // A preload that is lost with the temperatures: 20 (T - 300) = 1000 exp((300 - T)/10).
   HeatSource source = lumped(+[](double) { return 100.0; });
   source.exact = [](const OfParts& t) -> std::optional<OfParts> {
     const double all = 1000.0 * std::exp((300.0 - t[1]) / 10.0);

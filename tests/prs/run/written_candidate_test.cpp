@@ -205,7 +205,7 @@ TEST(WrittenCandidate, HasWaysWithoutForceUnderPreload) {
       "starts: 5}}\n");
 }
 
-/// Where the sense of the forces is not stated, the larger one may compress the screw.
+/// The larger of two forces may compress the screw, if the requirement does not state their sense.
 TEST(WrittenCandidate, HasTheBucklingOfForcesOfUnknownSense) {
   expect_one_set_of_numbers(
       "motion: {segments: [{name: a, duration: 0.5 s, end_speed: 100 mm/s, force: 2.5 kN}, {name: b, duration: 0.5 s, "
@@ -215,13 +215,13 @@ TEST(WrittenCandidate, HasTheBucklingOfForcesOfUnknownSense) {
 
 /// A preload that grows with the temperatures leaves no steady state, and nothing that depends on it is delivered.
 TEST(WrittenCandidate, WithoutASteadyStateHasNoTemperatures) {
-  const SizeResult result = size_screws(read_requirement(input::source_of_text(
-      "need.yaml",
-      "motion: {loads: [{force: 8 kN, speed: 100 mm/s, share: 100 %}]}\n"
-      "heat: {conductance: {nut_ambient: 10 W/K, screw_ambient: 3 W/K}}\npreload: {force: 2 kN}\n"
-      "limits: {temperature: 80 degC, efficiency: 50 %}\nmodel: {loads: static}\n"
-      "candidates: {designs: {screw_diameter: 30 mm, lead: 10 mm, starts: 5}}\n",
-      {})));
+  const SizeResult result = size_screws(read_requirement(
+      input::source_of_text("need.yaml",
+                            "motion: {loads: [{force: 8 kN, speed: 100 mm/s, share: 100 %}]}\n"
+                            "heat: {conductance: {nut_ambient: 10 W/K, screw_ambient: 3 W/K}}\npreload: {force: 2 kN}\n"
+                            "limits: {temperature: 80 degC, efficiency: 50 %}\nmodel: {loads: static}\n"
+                            "candidates: {designs: {screw_diameter: 30 mm, lead: 10 mm, starts: 5}}\n",
+                            {})));
   const SizedCandidate& candidate = result.candidates.front();
   EXPECT_FALSE(candidate.passes);
   EXPECT_FALSE(candidate.temperature || candidate.parts_at || candidate.power_lost || candidate.efficiency ||
