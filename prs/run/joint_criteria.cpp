@@ -195,14 +195,16 @@ std::vector<FoundCriterion> criteria_under(const JudgedCase& of, const Contacts&
     found.best.reset();  // The best value is one of load cases.
   };
   if (c.bearings) take(bearing, c.bearings->fixed.static_capacity, "");
-  const std::optional<double> position = c.life && c.life->position ? c.life->position
-                                         : c.load_cases.empty()     ? std::nullopt
-                                                                    : c.load_cases[0].position;
+  double position = std::numeric_limits<double>::quiet_NaN();
+  if (c.life && c.life->position)
+    position = *c.life->position;
+  else if (!c.load_cases.empty())
+    position = c.load_cases[0].position.value_or(position);
   if (c.life && c.life->static_capacity) take(safety, c.life->static_capacity, ", stated static capacity");
-  if (solves && position && missing(c, Command::solve).empty()) try {
+  if (solves && std::isfinite(position) && missing(c, Command::solve).empty()) try {
       Conditions warm = c;
       if (temperature) warm.deviations.temperature = temperature;
-      const StaticForces found = solved_static_forces(warm, contacts, direction, *position, largest);
+      const StaticForces found = solved_static_forces(warm, contacts, direction, position, largest);
       if (found.rating && !safety.value)
         take(safety, found.rating->force, fmt::format(", {}, {}", describe(found.rating->limit), of.at_rest()));
       take(edge, found.flank_edge_load, ", " + of.at_rest());
