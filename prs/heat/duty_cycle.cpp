@@ -21,9 +21,10 @@ constexpr double kMargin = 0.02;           // Margin of good ones, some times th
 constexpr double kKeptMargin = 3.0;        // Margin of tables that serve other cycles too [K].
 constexpr double kFirstReach = 40.0;       // Rise up to which losses of a mission are first tabulated [K].
 
+constexpr int kMostCorrections = 4;  // Corrections of a table along paths, after which it is made over their range.
+constexpr int kMostOnPath = 300;     // Exact losses of a correction.
 /// Effort to find the range of temperatures, and then over it; with solved shares the exact losses cost twenty times
 /// those of equal ones.
-constexpr int kMostCorrections = 4, kMostOnPath = 300;  // Most corrections of a table, and losses of each.
 constexpr LossTable::Effort kRoughTable{1e-3, 200}, kTable{1e-9, 6000}, kSolvedTable{3e-9, 1500};
 /// A mission visits ten times the range of a cycle, and nothing is iterated on its end.
 constexpr LossTable::Effort kMissionTable{3e-7, 600}, kSolvedMissionTable{1e-5, 150};
@@ -382,10 +383,10 @@ TemperatureBox within_reach(const TemperatureBox& box, const OfParts& start, dou
 }
 
 /// Iteration: each round makes tables over the temperatures of the previous one and a margin around them: rough ones,
-/// and good ones after the range is known. Solved shares, whose losses take long, are corrected along the path of the
-/// temperatures alone, anew in each round until they hold on that of the next; where that fails, over the whole range.
-/// In a mission the range grows from the start. `kept`: whether the tables serve other cycles too, in which other load
-/// cases may weigh more.
+/// and good ones after the range is known. Rough tables of solved shares, whose losses take long, are corrected along
+/// the path of the temperatures alone, in each round until a table holds on the next path; if none does, good ones
+/// follow. In a mission the range grows from the start. `kept`: whether the tables serve other cycles too, in which
+/// other load cases may weigh more.
 FoundCycle find_cycle(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, bool kept) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();

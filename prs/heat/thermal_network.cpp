@@ -163,8 +163,7 @@ std::string not_settled(const std::vector<std::pair<OfParts, OfParts>>& tried) {
         steepest = rise / d, apart = d, heat = {q.sum(), q_other.sum()};
   return fmt::format(
       "{} states were tried, and none gives off the heat that it takes up; of two of them, {:.2g} K apart, one takes "
-      "up "
-      "{:.4g} W, the other {:.4g} W",
+      "up {:.4g} W, the other {:.4g} W",
       tried.size(), apart, heat[0], heat[1]);
 }
 

@@ -69,9 +69,9 @@ Found ended(Found& found, HeatStatus status, std::string reason) {
 
 /// Temperatures at which Q(T) = K (T - T_ambient 1), to `tolerance` [K]: the state that the parts reach from `start`,
 /// by default from the temperature of their surroundings, the coolest if there are several. Newton's method on the
-/// estimate, scaled part by part to the last exact heat, which is then recomputed. If the estimate has another crossing
-/// between ambient temperature and the found state, or Newton's method fails, the parts are followed in time by
-/// implicit Euler steps.
+/// estimate, scaled part by part to the last exact heat and given a slope through those before (Broyden, Math. Comp.
+/// 19, 1965, 577), which are then recomputed. If the estimate has another crossing between ambient temperature and the
+/// found state, or Newton's method fails, the parts are followed in time by implicit Euler steps.
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
                             const std::optional<OfParts>& start = {}, double tolerance = 1e-8);
 

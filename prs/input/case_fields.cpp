@@ -804,7 +804,7 @@ void fields(const Fields& io, MeasureOptions::Shaft& s) {
   io("stroke", s.stroke, Quantity{unit::length, positive, "200 mm"},
      "Way of the nut along the screw, for which the shaft must be long enough");
   io("largest_compression", s.largest_compression, Quantity{unit::force, positive, "20 kN"},
-     "That buckling must bear beside the loads of the case, as where their sense is not known");
+     "Compressive force that the buckling safety takes besides those of the loads, for forces of unknown sense");
 }
 
 void fields(const Fields& io, MeasureOptions::System::Shaft& s) {

@@ -98,7 +98,7 @@ struct MeasureOptions {
     double length = 0.0;  ///< Largest distance between the supports of the screw [m].
     Ends ends = Ends::supported_supported;
     std::optional<double> stroke = {};               ///< Travel of the nut along the screw [m].
-    std::optional<double> largest_compression = {};  ///< Beside that of the loads of the case [N].
+    std::optional<double> largest_compression = {};  ///< Besides those of the loads [N], > 0.
   };
 
   /// Elements in series with the mechanism between drive and load; an absent one is rigid.

@@ -211,7 +211,7 @@ std::optional<MeasuresResult> measures_where_none_was_tried(const Case& c, std::
   }
 }
 
-/// Values of the input that hardly any screw has, which warnings name.
+/// Adds values of the input that hardly any screw has; warnings say what is usual.
 void add_unusual(const input::CaseInput& in, Evidence& evidence) {
   std::vector<std::string> paths;
   for (const Warning& warning : in.warnings)
@@ -226,21 +226,22 @@ void add_unusual(const input::CaseInput& in, Evidence& evidence) {
   evidence.add(Command::check, {input});
 }
 
+/// Whether the case has loads of a life that was not computed or did not converge.
 bool lacks_life(const Case& c, std::span<const Attempt> attempts, const Evidence& evidence) {
   if (!c.life || (c.life->spectrum.empty() && !c.life->history)) return false;
   const Attempt* const life = done(attempts, Command::life);
   return life ? !life->delivery->result<LifeResult>()->converged() : evidence.why_not(Command::life) != nullptr;
 }
 
-/// Adds static safeties under forces of which no analysis has thread loads: of the drive, and of a spectrum whose life
-/// is not known.
+/// Adds static safeties under forces of which no analysis has thread loads: of the drive, and of a spectrum or a
+/// history whose life is not known.
 void add_under_forces(const JudgedCase& of, const Contacts& contacts, const Result* slip, Evidence& evidence) {
   const Case& c = of.c;
   constexpr CriterionKey kTension("largest_tension"), kCompression("largest_compression");
   std::vector<std::pair<Direction, FoundCriterion>> forces;
   for (const auto& [command, found] : evidence.found)
     for (const Direction d : kDirections)
-      if (command == Command::response && found.value &&
+      if ((command == Command::response || (command == Command::life && evidence.lacks_life)) && found.value &&
           found.row == (d == Direction::tension ? kTension : kCompression).row)
         forces.emplace_back(d, found);
   if (evidence.lacks_life)
@@ -275,7 +276,7 @@ void add_found(const input::CaseInput& in, std::span<const Attempt> attempts, Ev
   const Contacts contacts = find_contacts(c.mechanism, c.materials);
   evidence.add(Command::check, case_criteria(c, contacts));
   evidence.lacks_life = lacks_life(c, attempts, evidence);
-  evidence.lacks_history = c.life && c.life->history.has_value();
+  evidence.lacks_history = c.life && c.life->history && !done(attempts, Command::life);
   evidence.lacks_temperatures =
       (measures || at_rest) && warms(c.heat) && !warm && (slip || evidence.why_not(Command::slip));
   JudgedCase of{.c = c, .limits = in.limits.value_or(Limits{}), .is_warm = warm.has_value()};

@@ -430,10 +430,11 @@ class Evaluation {
     judge_back_driving();
     add("temperature", "degC", false,
         {in_celsius(c_.hottest_part()), in_celsius(limit_of_temperature()), "",
-         c_.mission ? std::string_view(c_.mission->reason)
-         : !r_.heat ? "state `heat`, with the conductances of nut and screw in their seats"
-         : by_row   ? "a catalogue does not say where losses arise"
-                    : no_efficiency},
+         c_.mission     ? std::string_view(c_.mission->reason)
+         : !r_.heat     ? "state `heat`, with the conductances of nut and screw in their seats"
+         : by_row       ? "a catalogue does not say where losses arise"
+         : c_.is_steady ? "slip has no equilibrium at the temperatures of its losses"
+                        : std::string_view(why_not_steady_)},
         r_.heat ? coolest() - kKelvin : 0.0);
     at_most("motor_speed", "rpm", {c_.motor_largest_speed, m.largest_speed, rests});
     at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency, at_mean()});

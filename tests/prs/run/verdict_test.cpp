@@ -215,7 +215,16 @@ TEST(Verdict, ASpectrumWithoutLifeIsNotLost) {
   EXPECT_EQ(pressure["state"], "not_computed");
 }
 
-/// Values that no screw has are named.
+/// A history that was not read may compress the screw.
+TEST(Verdict, AHistoryWithoutLifeIsNotMet) {
+  const Json of_screw =
+      criterion(verdict("14_flight_spectrum.yaml", {"measures={shaft: {length: 500 mm, ends: supported_supported}}",
+                                                    "materials.youngs_modulus=150 GPa"}),
+                "buckling_safety");
+  EXPECT_EQ(of_screw["state"], "not_computed");
+}
+
+/// Values that hardly any screw has are named.
 TEST(Verdict, UnusualCapacitiesAreAmber) {
   for (const Overrides& odd : {Overrides{"life.dynamic_capacity=60 N"}, Overrides{"life.static_capacity=3e9 N"},
                                Overrides{"life.dynamic_capacity=90 kN", "life.static_capacity=60 kN"}}) {
