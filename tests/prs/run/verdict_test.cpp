@@ -217,10 +217,10 @@ TEST(Verdict, ASpectrumWithoutLifeIsNotLost) {
 
 /// A history that was not read may compress the screw.
 TEST(Verdict, AHistoryWithoutLifeIsNotMet) {
-  const Json of_screw =
-      criterion(verdict("14_flight_spectrum.yaml", {"measures={shaft: {length: 500 mm, ends: supported_supported}}",
-                                                    "materials.youngs_modulus=150 GPa"}),
-                "buckling_safety");
+  const Json of_screw = criterion(
+      verdict("14_flight_spectrum.yaml",
+              {"measures={shaft: {length: 500 mm, ends: supported_supported}}", "materials.youngs_modulus=150 GPa"}),
+      "buckling_safety");
   EXPECT_EQ(of_screw["state"], "not_computed");
 }
 
