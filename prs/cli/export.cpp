@@ -131,7 +131,11 @@ int export_model(const Options& options) {
   if (forms.empty() && !options.json)
     throw UsageError("the form is missing; expected --fmu, --modelica, --mjcf or --urdf, or several of them");
   if (output) require_place(*output, forms);
-  const CurveOptions asked = curve_options(options.export_model);
+  CurveOptions asked = curve_options(options.export_model);
+  ProgressLine line(options.quiet);
+  asked.progress = [&](std::size_t loads) {
+    line.show([&](double) { return fmt::format("curves: {} loads solved", loads); });
+  };
   const ExportOptions& o = options.export_model;
   const bool for_robots = o.mjcf || o.urdf;
   const input::Source source = case_source(options);
@@ -147,6 +151,7 @@ int export_model(const Options& options) {
     robot = input::compute_from(source, [&] { return robot_constants(model, friction_load, o.play.has_value()); });
   std::optional<SystemModel> still;  // Model without the drive, which robots need.
   if (o.fmu && o.is_static && for_robots) still = system_model(source, asked, WithDrive::never);
+  line.clear();
   Destination place = destination_of(forms, model, still ? *still : model, robot, output);
   const std::optional<LeverMotion> lever = model.drive ? lever_motion(*model.drive, model.curves.lead) : std::nullopt;
   if (lever && !place.files.empty()) place.files.push_back({"linkage.csv", linkage_csv(*lever, {})});

@@ -169,8 +169,9 @@ BranchTable branch_from_rest(const Solve& solve, double stiffness, double larges
 /// Loads of one load case at other forces.
 class LoadsOfCase {
  public:
-  LoadsOfCase(Conditions c, const Contacts& contacts, LoadCase pattern)
-      : conditions_(std::move(c)), contacts_(contacts), pattern_(std::move(pattern)) {
+  LoadsOfCase(Conditions c, const Contacts& contacts, LoadCase pattern,
+              std::function<void(std::size_t loads)> progress = {})
+      : conditions_(std::move(c)), contacts_(contacts), pattern_(std::move(pattern)), progress_(std::move(progress)) {
     pattern_.spatial.orbit.reset();
     // Sections as in `preload`: a single shoulder holds the nut in both senses.
     const PerDirection<double> section = held_sections(conditions_.structure->nut.thrust);
@@ -198,6 +199,8 @@ class LoadsOfCase {
                         fmt::format("has no {} at {:.4g} N in {}, and the curves of `export` need each force from zero "
                                     "on; leave out what only larger forces hold in place, such as `side_force`",
                                     r.threads ? "stiffness" : "equilibrium", r.load_case.axial_force, name(d)));
+    solved_ += results.size();
+    if (progress_) progress_(solved_);
     return results;
   }
 
@@ -216,12 +219,14 @@ class LoadsOfCase {
   Conditions conditions_;
   const Contacts& contacts_;
   LoadCase pattern_;
+  std::function<void(std::size_t loads)> progress_;
+  std::size_t solved_ = 0;
   FullSolver full_{FullStart::neighbour};
 };
 
 void add_loaded_branches(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, double largest,
-                         Errors& errors, SystemCurves& curves) {
-  LoadsOfCase loads(c, contacts, pattern);
+                         const CurveOptions& options, Errors& errors, SystemCurves& curves) {
+  LoadsOfCase loads(c, contacts, pattern, options.progress);
   // Without load, rollers that a misalignment presses to one side take seconds to converge.
   const bool full = c.model.all_rollers();
   const int octaves = full ? kOctavesOfFull : kOctaves;
@@ -607,7 +612,7 @@ SystemCurves system_curves(const Case& c, const CurveOptions& asked) {
     add_preloaded_branches(c, contacts, force, errors, curves);
   } else {
     curves.load_case = pattern.name;
-    add_loaded_branches(c, contacts, pattern, force, errors, curves);
+    add_loaded_branches(c, contacts, pattern, force, options, errors, curves);
   }
   curves.force_error = errors.force;
   curves.stiffness_error = errors.stiffness;

@@ -232,9 +232,9 @@ Report make_report(const input::Source& source, const PageOptions& options) {
       if (size <= kLargestLivePage) return report(std::move(page), std::move(parts));
     }
     still = fmt::format(
-        "with the engine, the file and its force history it would have {:.1f} MB; expected at most {:.1f} MB; shorten "
+        "with the engine, the file and its force history it would have {} kB; expected at most {} kB; shorten "
         "the file or the history",
-        static_cast<double>(size) / 1e6, kLargestLivePage / 1e6);
+        (size + 999) / 1000, kLargestLivePage / 1000);
   }
   asked.room = {};
   ReportParts parts = report_parts(source, asked);

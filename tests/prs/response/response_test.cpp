@@ -380,6 +380,19 @@ TEST(Response, ResonancesWithoutForceAreThoseOfASmallOne) {
                 0.005 * small[k]["frequency_Hz"].get<double>());
 }
 
+/// Three masses in a row have two natural vibrations.
+TEST(Response, AFreeRigidMotionIsNoResonance) {
+  for (const char* force : {"100 N", "500 N", "5 kN", "20 kN"}) {
+    const Json found = response_of(input::load_source(
+        PRS_SOURCE_DIR "/configs/34_reversal.yaml",
+        {"friction={coulomb: 0}", "response.coupling.damping=0 N m s/rad",
+         fmt::format("response.frequency_response={{from: 5 Hz, to: 2 kHz, force: {}, screw: rolling, speed: 240 rpm, "
+                     "input: motor_torque}}",
+                     force)}));
+    EXPECT_EQ(found["frequency_response"]["resonances"].size(), 2u) << force;
+  }
+}
+
 TEST(Response, PanelsOverFrequencyMarkTheResonances) {
   const auto found = [](std::vector<std::string> overrides) {
     const Delivery delivery =
