@@ -219,8 +219,9 @@ def responses_in(owner: dict, before: str, records: dict) -> list[tuple[str, ...
 
 def response_page(schema: dict) -> str:
     text = (
-        "# Responses\n\nThe numbers of results that studies and optimizations record, by their\n"
-        "paths. Of a series of threads `.max`, `.min`, `.mean` or `[k]`, from 0, is one number.\n"
+        "# Responses\n\nThe numbers of results by their paths, which studies and optimizations\n"
+        "record, except those of `preload` and `fit`; `prs compare` takes those of `preload`.\n"
+        "Of a series of threads `.max`, `.min`, `.mean` or `[k]`, from 0, is one number.\n"
         "A thread that is open, and each of a missing roller, has load and pressure 0 and counts:\n"
         "`.min` is 0 then, and `.mean` is that of all.\n"
         "`load_cases[1].` before a path means the second load case; without it, the first.\n\n"

@@ -341,7 +341,8 @@ std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
     if (curve.use == FitCurve::Use::band) continue;
     const std::string name = name_of_copy(r.input, c);
     if (!copied.insert(name).second) continue;
-    files.push_back({name, input::named_file_text(curve.file, curve.at + ".file", r.input.source, true)});
+    files.push_back({name, input::named_file_text(curve.file, curve.at + ".file", r.input.source, true),
+                     input::place_of_file(curve.file, r.input.source)});
   }
   return files;
 }

@@ -133,8 +133,8 @@ int export_model(const Options& options) {
   if (output) require_place(*output, forms);
   CurveOptions asked = curve_options(options.export_model);
   ProgressLine line(options.quiet);
-  asked.progress = [&](std::size_t loads) {
-    line.show([&](double) { return fmt::format("curves: {} loads solved", loads); });
+  asked.progress = [&](std::size_t points) {
+    line.show([&](double) { return fmt::format("curves: {} points solved", points); });
   };
   const ExportOptions& o = options.export_model;
   const bool for_robots = o.mjcf || o.urdf;

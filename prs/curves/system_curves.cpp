@@ -2,8 +2,13 @@
 
 #include <fmt/ranges.h>
 
+#include <atomic>
+#include <deque>
+
 #include "prs/heat/analyze_heat.h"
+#include "prs/indices.h"
 #include "prs/model/check_case.h"
+#include "prs/side_by_side.h"
 #include "prs/slip/running.h"
 #include "prs/threads/geometry_warnings.h"
 
@@ -166,12 +171,22 @@ BranchTable branch_from_rest(const Solve& solve, double stiffness, double larges
   return branch_table(std::move(nodes), 0.0, false, solve, errors);
 }
 
+/// Counts the points that are solved.
+struct SolvedPoints {
+  const std::function<void(std::size_t points)>& progress;
+  std::atomic<std::size_t> solved = 0;
+
+  void add(std::size_t points) {
+    const std::size_t now = solved += points;
+    if (progress) progress(now);
+  }
+};
+
 /// Loads of one load case at other forces.
 class LoadsOfCase {
  public:
-  LoadsOfCase(Conditions c, const Contacts& contacts, LoadCase pattern,
-              std::function<void(std::size_t loads)> progress = {})
-      : conditions_(std::move(c)), contacts_(contacts), pattern_(std::move(pattern)), progress_(std::move(progress)) {
+  LoadsOfCase(Conditions c, const Contacts& contacts, LoadCase pattern, SolvedPoints& points)
+      : conditions_(std::move(c)), contacts_(contacts), pattern_(std::move(pattern)), points_(points) {
     pattern_.spatial.orbit.reset();
     // Sections as in `preload`: a single shoulder holds the nut in both senses.
     const PerDirection<double> section = held_sections(conditions_.structure->nut.thrust);
@@ -199,8 +214,7 @@ class LoadsOfCase {
                         fmt::format("has no {} at {:.4g} N in {}, and the curves of `export` need each force from zero "
                                     "on; leave out what only larger forces hold in place, such as `side_force`",
                                     r.threads ? "stiffness" : "equilibrium", r.load_case.axial_force, name(d)));
-    solved_ += results.size();
-    if (progress_) progress_(solved_);
+    points_.add(results.size());
     return results;
   }
 
@@ -219,14 +233,13 @@ class LoadsOfCase {
   Conditions conditions_;
   const Contacts& contacts_;
   LoadCase pattern_;
-  std::function<void(std::size_t loads)> progress_;
-  std::size_t solved_ = 0;
+  SolvedPoints& points_;
   FullSolver full_{FullStart::neighbour};
 };
 
 void add_loaded_branches(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, double largest,
-                         const CurveOptions& options, Errors& errors, SystemCurves& curves) {
-  LoadsOfCase loads(c, contacts, pattern, options.progress);
+                         SolvedPoints& points, Errors& errors, SystemCurves& curves) {
+  LoadsOfCase loads(c, contacts, pattern, points);
   // Without load, rollers that a misalignment presses to one side take seconds to converge.
   const bool full = c.model.all_rollers();
   const int octaves = full ? kOctavesOfFull : kOctaves;
@@ -281,8 +294,12 @@ void add_preloaded_branches(const Conditions& c, const Contacts& contacts, doubl
 /// Torque due to friction, at the forces and speeds of a table.
 class FrictionTorque {
  public:
-  FrictionTorque(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, Oils oils)
-      : pattern_(pattern), loads_(c, contacts, pattern), models_(c, contacts, std::move(oils)) {
+  FrictionTorque(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, Oils oils,
+                 SolvedPoints& points)
+      : pattern_(pattern),
+        points_(points),
+        loads_(c, contacts, pattern, points),
+        models_(c, contacts, std::move(oils)) {
     if (slip_takes_running_loads(c.model, pattern.share)) running_.emplace(c, contacts, models_);
   }
 
@@ -290,6 +307,7 @@ class FrictionTorque {
   std::optional<double> at(double force, double speed) {
     const auto [known, is_new] = torque_.try_emplace({force, speed});
     if (!is_new) return known->second;
+    points_.add(1);
     if (running_) return known->second = running_at(force, speed);
     SlipModel& model = model_at(force);
     model.speed = speed;
@@ -321,6 +339,7 @@ class FrictionTorque {
   }
 
   LoadCase pattern_;
+  SolvedPoints& points_;
   LoadsOfCase loads_;
   SlipModels models_;
   std::optional<RunningSolver> running_;
@@ -329,45 +348,69 @@ class FrictionTorque {
   SlipStatus status_ = SlipStatus::not_computed;
 };
 
-/// Nodes of a table: 2^k + 1 roots of a force in each sense, 2^k + 1 speeds, refined by halving.
-struct FrictionGrid {
-  double least_root = 0.0, largest_root = 0.0;
-  double least_speed = 0.0, largest_speed = 0.0;
-  std::size_t forces = 8, speeds = 4;  ///< Number of intervals; one for speeds if they do not matter.
+/// Nodes of a table along forces or speeds, and which intervals between them are still to be divided.
+struct GridAxis {
+  std::vector<double> at;
+  std::vector<bool> is_open;
 
-  std::vector<double> roots() const {
-    std::vector<double> roots;
-    for (std::size_t k = 0; k <= forces; ++k)
-      roots.push_back(least_root + (largest_root - least_root) * static_cast<double>(k) / static_cast<double>(forces));
-    std::vector<double> all;
-    std::transform(roots.rbegin(), roots.rend(), std::back_inserter(all), std::negate{});
-    all.insert(all.end(), roots.begin(), roots.end());
-    return all;
-  }
-  std::vector<double> speed() const {
-    std::vector<double> all;
-    for (std::size_t k = 0; k <= speeds; ++k)
-      all.push_back(largest_speed *
-                    std::pow(least_speed / largest_speed, 1.0 - static_cast<double>(k) / static_cast<double>(speeds)));
-    return all;
-  }
+  std::size_t open() const { return static_cast<std::size_t>(std::ranges::count(is_open, true)); }
 };
+
+/// Nodes of a table: signed roots of a force, and speeds; a middle of two speeds is at their mean ratio.
+struct FrictionGrid {
+  GridAxis root, speed;
+};
+
+/// So many intervals from one end to the other.
+template <class Place>
+GridAxis even_axis(std::size_t intervals, Place place) {
+  GridAxis axis{{}, std::vector<bool>(intervals, true)};
+  for (std::size_t k = 0; k <= intervals; ++k)
+    axis.at.push_back(place(static_cast<double>(k) / static_cast<double>(intervals)));
+  return axis;
+}
 
 double force_of(double root) { return root * std::abs(root); }
 
-FrictionTable table_on(const FrictionGrid& grid, FrictionTorque& torque) {
-  FrictionTable table{grid.roots(), grid.speed(), {}, {}};
-  for (const double speed : table.speed)
-    for (const double root : table.root_force)
-      for (const double sign : {1.0, -1.0}) {
-        const std::optional<double> found = torque.at(force_of(root), sign * speed);
+/// The torque by the signs of force and speed, each with a search of its own.
+class QuadrantTorques {
+ public:
+  QuadrantTorques(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, const Oils& oils,
+                  SolvedPoints& points) {
+    for (int k = 0; k < 4; ++k) torques_.emplace_back(c, contacts, pattern, oils, points);
+  }
+  FrictionTorque& of(double force, double speed) { return torques_[(force < 0.0 ? 2U : 0U) + (speed < 0.0 ? 1U : 0U)]; }
+  std::optional<double> at(double force, double speed) { return of(force, speed).at(force, speed); }
+
+ private:
+  std::deque<FrictionTorque> torques_;
+};
+
+FrictionTable table_on(const FrictionGrid& grid, QuadrantTorques& torques) {
+  const std::size_t roots = grid.root.at.size();
+  const std::vector<double> none(roots * grid.speed.at.size());
+  FrictionTable table{grid.root.at, grid.speed.at, none, none};
+  const auto fill = [&](double force_sign, double speed_sign) {
+    FrictionTorque& torque = torques.of(force_sign, speed_sign);
+    for (const auto j : up_to(roots)) {
+      if (table.root_force[j] * force_sign < 0.0) continue;
+      for (const auto i : indices(table.speed)) {
+        const double force = force_of(table.root_force[j]), speed = speed_sign * table.speed[i];
+        const std::optional<double> found = torque.at(force, speed);
         if (!found)
           throw CaseError("friction",
                           fmt::format("slip ends as {} at {:.4g} N and {:.4g} rad/s, so that there is no torque for "
                                       "`export`; ask for less by --force or --speed, or check friction and carrier",
-                                      name(torque.status()), force_of(root), sign * speed));
-        (sign > 0.0 ? table.forward : table.backward).push_back(*found);
+                                      name(torque.status()), force, speed));
+        (speed_sign > 0.0 ? table.forward : table.backward)[i * roots + j] = *found;
       }
+    }
+  };
+  std::vector<std::future<void>> quadrants;
+  for (const double force_sign : {1.0, -1.0})
+    for (const double speed_sign : {1.0, -1.0})
+      quadrants.push_back(std::async(kSideBySide, fill, force_sign, speed_sign));
+  for (std::future<void>& quadrant : quadrants) quadrant.get();
   return table;
 }
 
@@ -382,66 +425,115 @@ PrsCurves curves_of(const FrictionTable& table) {
   return curves;
 }
 
-/// Largest difference at the nodes of a finer table [N m].
-double difference(const FrictionTable& coarse, const FrictionTable& fine) {
+/// Largest differences at the nodes of a finer table [N m], along roots and along speeds.
+struct Differences {
+  std::vector<double> root, speed;
+};
+Differences differences(const FrictionTable& coarse, const FrictionTable& fine) {
   const PrsCurves curves = curves_of(coarse);
-  double largest = 0.0;
-  std::size_t k = 0;
-  for (const double speed : fine.speed)
-    for (const double root : fine.root_force) {
+  Differences most{std::vector<double>(fine.root_force.size()), std::vector<double>(fine.speed.size())};
+  for (const auto i : indices(fine.speed))
+    for (const auto j : indices(fine.root_force)) {
       int beyond = 0;
+      const std::size_t k = i * fine.root_force.size() + j;
       // With a lead of zero the torque is that of friction.
       const auto missed = [&](double friction, double sign) {
-        return std::abs(friction - prs_torque(&curves, force_of(root), sign * speed, &beyond));
+        return std::abs(friction - prs_torque(&curves, force_of(fine.root_force[j]), sign * fine.speed[i], &beyond));
       };
-      largest = std::max({largest, missed(fine.forward[k], 1.0), missed(fine.backward[k], -1.0)});
-      ++k;
+      const double larger = std::max(missed(fine.forward[k], 1.0), missed(fine.backward[k], -1.0));
+      most.root[j] = std::max(most.root[j], larger);
+      most.speed[i] = std::max(most.speed[i], larger);
     }
-  return largest;
+  return most;
 }
 
 /// Smallest root of the table, below which friction is constant: the torques of the carrier may be too large for a
 /// screw with less load.
-double least_root(FrictionTorque& torque, const FrictionGrid& grid) {
+double least_root(QuadrantTorques& torque, double largest_root, const std::vector<double>& speeds) {
   constexpr double kLeast = 1.0 / 64.0, kMost = 0.5;
   for (double share = kLeast; share < kMost; share *= 2.0) {
     bool all = true;
     for (const double force_sign : {1.0, -1.0})
       for (const double sign : {1.0, -1.0})
-        for (const double speed : grid.speed())
-          all = all && torque.at(force_sign * force_of(share * grid.largest_root), sign * speed);
-    if (all) return share * grid.largest_root;
+        for (const double speed : speeds)
+          all = all && torque.at(force_sign * force_of(share * largest_root), sign * speed);
+    if (all) return share * largest_root;
   }
-  return kMost * grid.largest_root;
+  return kMost * largest_root;
 }
 
-constexpr std::size_t kMostIntervals = 128;
+/// The friction of a table that is refined where it misses the torque.
+class RefinedTable {
+ public:
+  RefinedTable(QuadrantTorques& torque, FrictionGrid grid, double lead)
+      : torque_(torque), grid_(std::move(grid)), table_(table_on(grid_, torque)) {
+    largest_ = std::abs(force_of(grid_.root.at.back()) * lead) / (2.0 * std::numbers::pi) +
+               std::max(std::ranges::max(table_.forward), std::abs(std::ranges::min(table_.backward)));
+  }
+
+  /// Divides the open intervals of an axis at the `middle` of both ends. Those whose middle the table missed by too
+  /// much stay open, both halves. Whether there were any, with room for their nodes.
+  bool refine(GridAxis FrictionGrid::*which, std::vector<double> Differences::*of, double (*middle)(double, double)) {
+    const GridAxis before = grid_.*which;
+    if (before.open() == 0 || before.at.size() + before.open() > kMostNodes) return false;
+    GridAxis& axis = grid_.*which;
+    axis = {};
+    for (const auto k : indices(before.at)) {
+      axis.at.push_back(before.at[k]);
+      if (k + 1 == before.at.size()) break;
+      if (before.is_open[k]) axis.at.push_back(middle(before.at[k], before.at[k + 1]));
+      axis.is_open.insert(axis.is_open.end(), before.is_open[k] ? 2 : 1, before.is_open[k]);
+    }
+    FrictionTable finer = table_on(grid_, torque_);
+    const std::vector<double> missed = differences(table_, finer).*of;
+    double of_open = 0.0;
+    for (std::size_t k = 0; k < axis.is_open.size(); ++k) {
+      if (!axis.is_open[k]) continue;
+      const double share = missed[k + 1] / largest_;  // Of the node between both halves.
+      axis.is_open[k] = axis.is_open[k + 1] = share > kTorqueTolerance / 8.0;
+      double& error = axis.is_open[k] ? of_open : error_;
+      error = std::max(error, share);
+      ++k;
+    }
+    if (axis.at.size() + axis.open() > kMostNodes) error_ = std::max(error_, of_open);
+    table_ = std::move(finer);
+    return true;
+  }
+
+  FrictionTable table() && { return std::move(table_); }
+  double error() const { return error_; }
+
+ private:
+  static constexpr std::size_t kMostNodes = 260;
+
+  QuadrantTorques& torque_;
+  FrictionGrid grid_;
+  FrictionTable table_;
+  double largest_ = 0.0, error_ = 0.0;
+};
+
 constexpr double kSpeedRange = 1e-3;  ///< Smallest speed of the table over the largest.
 
-FrictionTable friction_table(FrictionTorque& torque, double force, double speed, bool depends_on_speed, double lead,
+FrictionTable friction_table(QuadrantTorques& torque, double force, double speed, bool depends_on_speed, double lead,
                              double& error) {
-  FrictionGrid grid{0.0, std::sqrt(force), kSpeedRange * speed, speed};
-  if (!depends_on_speed) grid.speeds = 1;
-  grid.least_root = least_root(torque, grid);
-  FrictionTable table = table_on(grid, torque);
-  const double largest = std::abs(force * lead) / (2.0 * std::numbers::pi) +
-                         std::max(std::ranges::max(table.forward), std::abs(std::ranges::min(table.backward)));
-  bool is_coarse_in_force = true, is_coarse_in_speed = depends_on_speed;
-  const auto refine_by = [&](std::size_t FrictionGrid::*intervals, bool& is_coarse) {
-    if (!is_coarse || grid.*intervals >= kMostIntervals) return false;
-    grid.*intervals *= 2;
-    FrictionTable finer = table_on(grid, torque);
-    const double missed = difference(table, finer) / largest;
-    is_coarse = missed > kTorqueTolerance / 3.0;
-    error = std::max(is_coarse && grid.*intervals < kMostIntervals ? 0.0 : missed, error);
-    table = std::move(finer);
-    return true;
-  };
-  for (bool refined = true; refined;) {
-    refined = refine_by(&FrictionGrid::forces, is_coarse_in_force);
-    refined = refine_by(&FrictionGrid::speeds, is_coarse_in_speed) || refined;
+  FrictionGrid grid;
+  grid.speed = even_axis(depends_on_speed ? 4 : 1, [&](double t) { return speed * std::pow(kSpeedRange, 1.0 - t); });
+  if (!depends_on_speed) grid.speed.is_open = {false};
+  const double most = std::sqrt(force), least = least_root(torque, most, grid.speed.at);
+  const GridAxis tension = even_axis(8, [&](double t) { return least + (most - least) * t; });
+  grid.root = even_axis(8, [&](double t) { return -most + (most - least) * t; });
+  append(grid.root.at, tension.at);
+  grid.root.is_open.push_back(false);
+  grid.root.is_open.insert(grid.root.is_open.end(), tension.is_open.begin(), tension.is_open.end());
+  RefinedTable refined(torque, std::move(grid), lead);
+  for (bool more = true; more;) {
+    more = refined.refine(&FrictionGrid::root, &Differences::root, [](double a, double b) { return 0.5 * (a + b); });
+    more = refined.refine(&FrictionGrid::speed, &Differences::speed, [](double a, double b) {
+      return std::sqrt(a * b);
+    }) || more;
   }
-  return table;
+  error = refined.error();
+  return std::move(refined).table();
 }
 
 /// Conditions of the running parts: with `heat` at its steady temperatures.
@@ -502,7 +594,7 @@ std::optional<Warning> torque_of_preloaded(const Case& c, const LoadCase& patter
 }
 
 void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force, const CurveOptions& options,
-                  SystemCurves& curves) {
+                  SolvedPoints& points, SystemCurves& curves) {
   if (!pattern.speed && !c.operation && options.speed) pattern.speed = options.speed;
   if (std::optional<Warning> lacking = lacking_friction(c, pattern)) {
     curves.warnings.push_back(std::move(*lacking));
@@ -518,7 +610,7 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
     if (std::optional<Warning> note = torque_of_preloaded(c, pattern, options.load_case.has_value()))
       curves.warnings.push_back(std::move(*note));
   const Running parts = running(c, contacts, pattern);
-  FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
+  QuadrantTorques torque(parts.conditions, contacts, pattern, parts.oils, points);
   curves.friction =
       friction_table(torque, force, options.speed.value_or(largest_speed(c)),
                      c.friction->facts().changes_with_speed || c.carrier.is_oiled(), curves.lead, curves.torque_error);
@@ -607,16 +699,17 @@ SystemCurves system_curves(const Case& c, const CurveOptions& asked) {
   const double force = options.force.value_or(largest_force(c));
   curves.lead = contacts.threads.screw.lead;
   if (asked.speed && asked.speed_along_axis) options.speed = std::abs(input::rotation(*asked.speed, curves.lead));
+  SolvedPoints points{options.progress};
   Errors errors;
   if (c.preload) {
     add_preloaded_branches(c, contacts, force, errors, curves);
   } else {
     curves.load_case = pattern.name;
-    add_loaded_branches(c, contacts, pattern, force, options, errors, curves);
+    add_loaded_branches(c, contacts, pattern, force, points, errors, curves);
   }
   curves.force_error = errors.force;
   curves.stiffness_error = errors.stiffness;
-  add_friction(c, contacts, pattern, force, options, curves);
+  add_friction(c, contacts, pattern, force, options, points, curves);
   return curves;
 }
 

@@ -8,11 +8,11 @@
 namespace prs {
 
 struct CurveOptions {
-  std::optional<double> force = {};                      ///< Largest force of both senses [N]; default: the case's.
-  std::optional<double> speed = {};                      ///< Largest speed of both senses [rad/s]; default: the case's.
-  bool speed_along_axis = false;                         ///< Whether `speed` is that of the travel [m/s].
-  std::optional<std::string> load_case = {};             ///< Name; default: the first whose loads are solved.
-  std::function<void(std::size_t loads)> progress = {};  ///< Called with the number of loads that are solved.
+  std::optional<double> force = {};           ///< Largest force of both senses [N]; default: the case's.
+  std::optional<double> speed = {};           ///< Largest speed of both senses [rad/s]; default: the case's.
+  bool speed_along_axis = false;              ///< Whether `speed` is that of the travel [m/s].
+  std::optional<std::string> load_case = {};  ///< Name; default: the first whose loads are solved.
+  std::function<void(std::size_t points)> progress = {};  ///< Called with the number of points that are solved.
 };
 
 /// Nodes of one sense, as in `PrsBranch`.

@@ -774,9 +774,9 @@ void fields(const Fields& io, Life& l) {
   });
   constexpr std::string_view of_counted = "with a spectrum of revolutions or distances";
   io("period", l.period, Quantity{unit::duration, positive, "12 s"}, optional_only_if(counted, of_counted),
-     "Clock time of one pass of the spectrum, rests and ways without force included: for hours");
+     "Clock time of one pass of the spectrum, rests and travel without load included: for hours");
   io("travel", l.travel, Quantity{unit::length, positive, "400 mm"}, optional_only_if(counted, of_counted),
-     "Travel of one pass in both senses, ways without force included: for kilometres");
+     "Travel of one pass in both senses, travel without load included: for kilometres");
   io("stroke", l.stroke, Quantity{unit::length, positive, "150 mm"},
      "Way between the extreme positions under load: catalogues require 1.5 lengths of the nut");
   const Quantity capacity{unit::force, positive};

@@ -444,7 +444,7 @@ Json located(const Json& history, const HistorySource& read, const Source& sourc
   for (const auto& [key, value] : history.items()) {
     whole[key] = value;
     if (key != "file" || !text) continue;
-    whole[key] = place_of_history(read, source).string();
+    whole[key] = place_of_file(read.file, source).string();
     whole["sha256"] = sha256(*text);
   }
   return whole;

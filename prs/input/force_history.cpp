@@ -262,9 +262,9 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
   return text;
 }
 
-std::filesystem::path place_of_history(const HistorySource& history, const Source& source) {
-  if (source.files && source.folder.empty()) return history.file;
-  return in_full(path_of(history.file, source)).lexically_normal();
+std::filesystem::path place_of_file(const std::string& name, const Source& source) {
+  if (source.files && source.folder.empty()) return name;
+  return in_full(path_of(name, source)).lexically_normal();
 }
 
 Source with_files(Source source, const HistorySource& history) {

@@ -41,8 +41,8 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
 /// The name of such a file in messages.
 std::string name_in_messages(const std::string& file, const Source& source);
 
-/// Absolute path of the history's file; its name if there is no folder to find it in.
-std::filesystem::path place_of_history(const HistorySource& history, const Source& source);
+/// Absolute path of a file that the input names; the name if there is no folder to find it in.
+std::filesystem::path place_of_file(const std::string& name, const Source& source);
 
 /// The source together with the text of the history's file, so that no run reads it again.
 Source with_files(Source source, const HistorySource& history);

@@ -113,8 +113,9 @@ class VariableReader : VariedInput {
 /// Reads objectives and constraints.
 class AimReader {
  public:
-  AimReader(const OptimizeItem& item, const Node& root, OptimizeInput& input, ErrorList& errors)
-      : item_(item), root_(root), input_(input), errors_(errors) {}
+  AimReader(const OptimizeItem& item, const Node& root, const std::vector<LoadCaseItem>& load_cases,
+            OptimizeInput& input, ErrorList& errors)
+      : item_(item), root_(root), load_cases_(load_cases), input_(input), errors_(errors) {}
 
   void read_objectives() {
     std::vector<std::string> before;
@@ -244,7 +245,8 @@ class AimReader {
   }
 
   /// Index of a response, which is added if it is new.
-  std::size_t response(const std::string& path, const std::string& at) {
+  std::size_t response(const std::string& written, const std::string& at) {
+    const std::string path = response_path(root_, load_cases_, written);
     std::vector<std::string>& responses = input_.optimization.study.responses;
     const auto found = std::ranges::find(responses, path);
     if (found != responses.end()) return static_cast<std::size_t>(found - responses.begin());
@@ -274,6 +276,7 @@ class AimReader {
 
   const OptimizeItem& item_;
   const Node& root_;
+  const std::vector<LoadCaseItem>& load_cases_;
   OptimizeInput& input_;
   ErrorList& errors_;
 };
@@ -315,12 +318,18 @@ OptimizeInput read_optimize_input(const Source& source) {
   VariableReader variables(item, source, root, input.start.base, file, errors);
   for (const auto i : indices(item.variables)) study.factors.push_back(variables.read(i));
 
-  AimReader aims(item, root, input, errors);
+  AimReader aims(item, root, whole.load_cases, input, errors);
   aims.read_objectives();
   aims.read_constraints();
   if (item.thread_constraints) aims.read_thread_constraints(own.mechanism);
   aims.read_algorithms();
   aims.read_compromise();
+  std::vector<std::string> varied;
+  for (const VariableItem& variable : item.variables) {
+    varied.push_back(variable.path);
+    for (const LinkedInputItem& linked : variable.companions) varied.push_back(linked.path);
+  }
+  check_load_cases(study.responses, varied, "optimize.variables", root, whole.load_cases, errors);
   errors.throw_if_any();
   input.start.study = study;
   return input;

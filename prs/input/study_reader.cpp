@@ -1,6 +1,7 @@
 #include "prs/input/study_reader.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "prs/indices.h"
 #include "prs/input/field.h"
@@ -10,6 +11,8 @@
 
 namespace prs::input {
 namespace {
+
+constexpr std::string_view kLoadCases = "load_cases[";
 
 /// A level as written in the document.
 struct WrittenLevel {
@@ -476,19 +479,51 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
     take_indices(root, factor.path, factor.label);
     for (CompanionItem& companion : factor.companions) take_indices(root, companion.path, companion.label);
   }
-  if (item.responses)
-    for (std::string& path : *item.responses) path = response_path(root, file.load_cases, path);
+  std::vector<std::string> responses, varied;
+  const auto take = [&](std::string& path) { responses.push_back(path = response_path(root, file.load_cases, path)); };
+  if (item.responses) std::ranges::for_each(*item.responses, take);
+  if (item.envelope) {
+    for (Envelope::Measure& measure : item.envelope->measures) take(measure.response);
+    for (EnvelopePointItem& point : item.envelope->points)
+      if (point.reach)
+        for (Envelope::Target& target : *point.reach) take(target.response);
+  }
+  for (const FactorItem& factor : item.factors) {
+    varied.push_back(factor.path);
+    for (const CompanionItem& companion : factor.companions) varied.push_back(companion.path);
+  }
+  check_load_cases(responses, varied, "study.factors", root, file.load_cases, errors);
   return item;
 }
 
 }  // namespace
 
 std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases, const std::string& path) {
-  constexpr std::string_view kBlock = "load_cases[";
   const std::string indexed = with_indices(root, path.substr(0, path.find(']') + 1));
-  if (!path.starts_with(kBlock) || path.starts_with(indexed)) return path;
-  const std::size_t item = std::stoul(indexed.substr(kBlock.size()));
-  return fmt::format("{}{}{}", kBlock, first_case(load_cases, item), path.substr(path.find(']')));
+  if (!path.starts_with(kLoadCases) || path.starts_with(indexed)) return path;
+  const std::size_t item = std::stoul(indexed.substr(kLoadCases.size()));
+  return fmt::format("{}{}{}", kLoadCases, first_case(load_cases, item), path.substr(path.find(']')));
+}
+
+void check_load_cases(const std::vector<std::string>& responses, const std::vector<std::string>& varied,
+                      std::string_view at, const Node& root, const std::vector<LoadCaseItem>& load_cases,
+                      ErrorList& errors) {
+  const auto case_of = [](const std::string& response) {
+    return response.starts_with(kLoadCases) ? std::strtoul(response.c_str() + kLoadCases.size(), nullptr, 10) : 0;
+  };
+  const auto last = std::ranges::max_element(responses, {}, case_of);
+  if (last == responses.end()) return;
+  for (const std::string& path : varied)
+    for (const auto i : indices(load_cases)) {
+      const std::size_t first = first_case(load_cases, i), cases = first_case(load_cases, i + 1) - first;
+      const std::string force = fmt::format("{}{}].axial_force", kLoadCases, i);
+      if ((path == force + ".steps" || (path == force && cases > 1)) && case_of(*last) > first)
+        refuse(root, std::string(at),
+               fmt::format("got {}, which changes the number of load cases before that of {}; expected responses of "
+                           "load cases whose place stays; put the range last",
+                           shown(path), shown(*last)),
+               errors);
+    }
 }
 
 StudyInput read_study_input(const Source& source) {

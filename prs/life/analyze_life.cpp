@@ -50,7 +50,8 @@ void find_capacity(const LifeModel& p, LifeResult& r) {
                                 factor_ratio(g), kFactorRatios.least, kFactorRatios.greatest));
   r.dynamic_capacity = r.lemor->capacity;
   r.dynamic_capacity_range = r.lemor->capacity_range;
-  if (auto warning = beside_lemor_angle(angle)) r.warnings.push_back(std::move(*warning));
+  for (Warning& warning : beside_lemor_range(angle, *r.contacts.mechanism.pitch_diameter.screw))
+    r.warnings.push_back(std::move(warning));
 }
 
 void find_spectrum(const Conditions& c, LifeResult& r) {
@@ -87,7 +88,7 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
   r.revolution_rate = r.duration && *r.duration > 0.0 ? std::optional(r.revolutions / *r.duration) : r.moving_rate;
 }
 
-/// The bearing under the loads of a pass; ways without force, which `life.travel` contains, count too.
+/// The bearing under the loads of a pass; travel without load, which `life.travel` contains, counts too.
 BearingLife bearing_life(const Bearings::Fixed& bearing, const LifeResult& r) {
   BearingLife found;
   double damage = 0.0;

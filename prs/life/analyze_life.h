@@ -86,7 +86,7 @@ struct ModifiedLife {
   double factor = 0.0;           ///< a_ISO
 };
 
-/// Axial bearing of the turning part under the loads of the spectrum, rests and ways without force included. SI units.
+/// Axial bearing of the turning part under the loads of the spectrum, rests and travel without load included. SI units.
 struct BearingLife {
   double revolutions = 0.0;      ///< Revolutions of one pass.
   double equivalent_load = 0.0;  ///< Mean of the loads with preload, over the revolutions [N].

@@ -76,7 +76,7 @@ constexpr auto rated_of = of<[](auto& life) {
 
 constexpr Quantity<LifeInUse> kLifeInUse[] = {
     {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>,
-     "turns under load, which 90 % reach; ways without force do not count", source::kLife,
+     "turns under load, which 90 % reach; travel without load does not count", source::kLife,
      "life L10 in turns under load"},
     {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>, "by the range of the dynamic capacity",
      source::kLife, "life L10, by the range of C_a"},
@@ -242,7 +242,7 @@ constexpr auto of_bearing = of<[](auto& b) { return std::invoke(get, *b.life->be
 constexpr std::string_view kBearing = "ISO 281; preload by the rule of makers";
 constexpr Quantity<FixedBearing> kFixedBearing[] = {
     {"equivalent_load_N", of_bearing<&BearingLife::equivalent_load>,
-     "of the loads with preload over all revolutions, ways without force included", kBearing},
+     "of the loads with preload over all revolutions, travel without load included", kBearing},
     {"l10_revolutions", of_bearing<&BearingLife::life>, "of the part that turns in it, all of them; that 90 % reach",
      kBearing, "life L10 of the bearing"},
     {"l10_hours", of<[](auto& b) {

@@ -82,11 +82,21 @@ double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressu
   return cube_root * cube_root * cube_root;
 }
 
-std::optional<Warning> beside_lemor_angle(double contact_angle) {
-  if (std::abs(contact_angle - std::numbers::pi / 4) <= kAngleTolerance) return std::nullopt;
-  return Warning{"mechanism.flank_angle", "beside_lemor_angle",
-                 "contact angle {value}: the factor of Lemor's capacity is that of 45 deg"}
-      .with(contact_angle, {}, "deg"_unit);
+std::vector<Warning> beside_lemor_range(double contact_angle, double screw_diameter) {
+  std::vector<Warning> warnings;
+  if (std::abs(contact_angle - std::numbers::pi / 4) > kAngleTolerance)
+    warnings.push_back(Warning{"mechanism.flank_angle", "beside_lemor_angle",
+                               "contact angle {value}: the factor of Lemor's capacity is that of 45 deg"}
+                           .with(contact_angle, {}, "deg"_unit));
+  if (screw_diameter < kLeastComparedDiameter)
+    warnings.push_back(
+        Warning{"mechanism.pitch_diameter.screw", "below_compared_capacities",
+                "Lemor's capacity was compared with makers' for screws from {limit} on; this one has {value}, and for "
+                "the only smaller one, of {4 mm}, the capacity was twice the maker's, which is 8 times the life",
+                "give the capacity of a catalogue as `life.dynamic_capacity`"}
+            .with(screw_diameter, kLeastComparedDiameter, "mm"_unit, Warning::Worse::smaller)
+            .as_assumption());
+  return warnings;
 }
 
 std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity) {

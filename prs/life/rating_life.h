@@ -86,11 +86,14 @@ double factor_ratio(const LemorGeometry& g);
 /// see `kCapacityOverMakers`. Absent if Jung's ratio is outside 0.01 .. 0.30.
 std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g);
 
-/// Ratio of Lemor's C_a to that of a maker for standard screws from 8 to 120 mm, see validation/standard_screws.
+/// Ratio of Lemor's C_a to that of a maker for standard screws of 8 to 120 mm, see validation/standard_screws.
 inline constexpr Interval kCapacityOverMakers = {0.69, 1.26};
+/// Pitch diameter [m]; that of a screw of 8 mm is a little less.
+inline constexpr double kLeastComparedDiameter = 7.5e-3;
 
-/// A warning if the contact angle [rad] differs from 45 deg, for which Lemor's factor is known.
-std::optional<Warning> beside_lemor_angle(double contact_angle);
+/// Warnings if the contact angle [rad] differs from 45 deg, for which Lemor's factor is known, or if the screw is
+/// thinner [m] than those of `kCapacityOverMakers`.
+std::vector<Warning> beside_lemor_range(double contact_angle, double screw_diameter);
 
 /// A warning if a load [N] exceeds the range of the life formula, half of the dynamic capacity [N] (ISO 281).
 std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity);

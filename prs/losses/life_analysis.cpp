@@ -90,7 +90,8 @@ std::string capacities(const LifeResult& r, bool all) {
     text += life_line("  life of the mechanism in that range",
                       fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
   }
-  if (r.lemor && r.contacts.mechanism.type == Mechanism::Type::standard)
+  const Mechanism& m = r.contacts.mechanism;
+  if (r.lemor && m.type == Mechanism::Type::standard && *m.pitch_diameter.screw >= kLeastComparedDiameter)
     text += life_line("  by a maker's 23 standard screws",
                       fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
                                   significant(shown(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN")),
@@ -106,8 +107,8 @@ std::string capacities(const LifeResult& r, bool all) {
                                   "it {} million revolutions",
                                   r.modified->factor, r.modified->film_ratio, r.modified->viscosity_ratio,
                                   *r.life.contamination, cell(r.modified->factor * r.system_life, 1e-6)));
-  text +=
-      life_line("mean load F_m", kilonewtons(r.mean_load) + (r.life.travel ? "; ways without force do not count" : ""));
+  text += life_line("mean load F_m",
+                    kilonewtons(r.mean_load) + (r.life.travel ? "; travel without load does not count" : ""));
   text += life_line("largest force", kilonewtons(r.largest_force));
   if (r.life.static_capacity)
     text += life_line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");

@@ -311,7 +311,7 @@ std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& conta
     warnings.push_back(std::move(*warning));
   };
   if (m.geometry_factor && m.dynamic_capacity && !(c.life && c.life->dynamic_capacity))
-    add("mechanism.flank_angle", beside_lemor_angle(*lemor_angle(c, contacts)));
+    warnings = beside_lemor_range(*lemor_angle(c, contacts), *contacts.mechanism.pitch_diameter.screw);
   if (m.dynamic_capacity && m.static_capacity)
     add("mechanism.profile", dynamic_above_static(*m.dynamic_capacity, *m.static_capacity));
   if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)

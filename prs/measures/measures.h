@@ -41,7 +41,7 @@ struct Measures {
   // Capacity of all contacts under equal shares
   std::optional<double> geometry_factor, element_diameter;                              ///< f_c; D_c [m].
   std::optional<double> dynamic_capacity, dynamic_capacity_low, dynamic_capacity_high;  ///< [N]
-  /// Catalogue value if the case states one, else the smallest of the next four [N].
+  /// Catalogue value if the case states one, else the smallest of the capacities of both interfaces below [N].
   std::optional<double> static_capacity;
   PerInterface<std::optional<double>> deformation_capacity;  ///< Capacity by permanent deformation [N].
   PerInterface<std::optional<double>> pressure_capacity;     ///< Capacity by `kStaticPressureLimit` [N].

@@ -12,6 +12,8 @@ struct BodyModel {
   std::string_view help;
   std::string_view bias = {};  ///< How far it is known to be off; empty: not known.
   std::string_view bias_of_all_rollers = bias;
+  double least_pitch = 0.0;               ///< Pitch from which it was compared with finite elements [m].
+  std::string_view bias_of_finer = bias;  ///< How far it is off with finer ones.
 
   bool grooves = true;           ///< Threads have roots, walls below them and two contacts on each roller tooth.
   bool effects = false;          ///< `ModelOptions::refined` counts.
@@ -47,6 +49,8 @@ inline constexpr BodyModel kRefined{
     .name = "refined",
     .help = "one-dimensional elements with what bars miss",
     .bias = "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw",
+    .least_pitch = 1e-3,
+    .bias_of_finer = "at 0.4 mm its largest pressures are 10 to 14 % too low",
     .effects = true,
 };
 

@@ -42,6 +42,11 @@ void check_spacer(const Spacer& spacer, const Structure::Nut& nut, const Mechani
                  "got {}; expected less than the nut's outer diameter, {}, or the ring misses the "
                  "faces of the nuts; make it smaller",
                  mm(spacer.inner_diameter), mm(nut.outer_diameter));
+  else if (m.pitch_diameter.screw && spacer.inner_diameter <= *m.pitch_diameter.screw)
+    problems.add("preload.spacer.inner_diameter",
+                 "got {}; expected more than the screw's pitch diameter, {}, or the ring cuts into the screw; make it "
+                 "larger",
+                 mm(spacer.inner_diameter), mm(*m.pitch_diameter.screw));
   else if (m.pitch_diameter.nut && spacer.outer_diameter <= *m.pitch_diameter.nut)
     problems.add("preload.spacer.outer_diameter",
                  "got {}; expected more than the nut's pitch diameter, {}, or the ring misses the "
@@ -145,6 +150,11 @@ void check_preload(const Case& c, Problems& problems) {
   if (!(p.load.from < p.load.to))
     problems.add("preload.load.to", "got {}; expected more than `from`, {}; swap the two", newton(p.load.to),
                  newton(p.load.from));
+  if (p.load_case && !warms(c.heat) &&
+      std::ranges::find(c.load_cases, *p.load_case, &LoadCase::name) == c.load_cases.end())
+    problems.add("preload.load_case",
+                 "got {}; expected the name of a load case; write that of one in the file, or delete the key",
+                 *p.load_case);
   if (!c.structure) return;
   const Structure& s = *c.structure;
   if (!s.nut.thrust.tension && !s.nut.thrust.compression)
@@ -234,7 +244,7 @@ void check_spectrum(const Case& c, Problems& problems) {
   }
   if (c.life->travel && *c.life->travel < (1.0 - 1e-9) * way)
     problems.add("life.travel",
-                 "got {}; expected at least {}, the distances of the spectrum; add the ways without force",
+                 "got {}; expected at least {}, the distances of the spectrum; add the travel without load",
                  mm(*c.life->travel), mm(way));
   if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
     problems.add("life.spectrum",

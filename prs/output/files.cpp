@@ -33,8 +33,13 @@ void publish(const std::filesystem::path& directory, const std::vector<OutputFil
 }  // namespace
 
 void write_files(const std::filesystem::path& directory, const std::vector<OutputFile>& files) {
-  publish(directory, files);
-  for (const OutputFile& file : files) record_written(directory / file.name);
+  std::vector<OutputFile> written = files;
+  std::erase_if(written, [&](const OutputFile& file) {
+    std::error_code ignored;
+    return !file.copy_of.empty() && std::filesystem::equivalent(directory / file.name, file.copy_of, ignored);
+  });
+  publish(directory, written);
+  for (const OutputFile& file : written) record_written(directory / file.name);
 }
 
 void write_case(const std::filesystem::path& file, const std::string& text) {

@@ -8,7 +8,7 @@ namespace prs {
 
 /// Writes the files into `directory`, which is created if missing. All are first written under temporary names and
 /// renamed at the end, so that no reader sees an incomplete file and a full disk leaves earlier files unchanged. Throws
-/// std::system_error that names the path.
+/// std::system_error that names the path. A copy of a file that stands there itself is left out.
 void write_files(const std::filesystem::path& directory, const std::vector<OutputFile>& files);
 
 /// Writes a case for further use: no later run treats it as its own output.

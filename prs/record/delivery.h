@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <typeinfo>
@@ -40,6 +41,7 @@ void write_with_list(const Json& outline, std::string_view key,
 struct OutputFile {
   std::string name;  ///< Path inside the output directory.
   std::string content;
+  std::filesystem::path copy_of = {};  ///< The file that was copied, which is not replaced by its copy.
 };
 
 /// Rows of a record that are shown unfolded, with a heading if needed.

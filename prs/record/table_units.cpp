@@ -46,6 +46,12 @@ ResponseTitle response_title(std::string_view path) {
                                                                       {"mean", "mean "}};
   constexpr std::pair<std::string_view, std::string_view> kPlaces[] = {
       {"system", "mechanism"}, {"catalogue", "by the catalogue's formula"}, {"weakest_thread", "weakest thread"}};
+  // Design measures that estimate what another command computes.
+  constexpr std::string_view kEstimates[] = {"static_safety",    "efficiency", "back_driving_efficiency",
+                                             "l10_revolutions",  "l10_hours",  "l10_distance_km",
+                                             "driving_torque_Nm"};
+  const std::size_t measure = path.find("measures.");
+  const bool is_estimate = measure != path.npos && contains(kEstimates, path.substr(measure + 9));
   const auto word = [](const auto& words, std::string_view key) {
     const auto found = std::ranges::find(words, key, [](const auto& row) { return row.first; });
     return found == std::end(words) ? std::string_view() : found->second;
@@ -78,6 +84,7 @@ ResponseTitle response_title(std::string_view path) {
   }
   title.name = summary + name + (name.empty() ? places.substr(std::min<std::size_t>(2, places.size())) : places);
   std::ranges::replace(title.name, '_', ' ');
+  if (is_estimate) title.name += " (estimate)";
   title.name = printable(title.name);
   return title;
 }

@@ -189,6 +189,13 @@ class ReferenceReader {
       for (const auto k : indices(names))
         if (k != along_ && k != load_case_) columns_.push_back(named_column(table, k));
     if (columns_.empty()) table.refuse_file("which has no column with the name of a response");
+    for (const auto k : indices(columns_))
+      for (const auto before : up_to(k))
+        if (columns_[before].response == columns_[k].response)
+          table.refuse_name(columns_[k].field,
+                            fmt::format("expected each response once, and {} has that of {} already; "
+                                        "give one of both a file of its own",
+                                        table.names()[columns_[before].field], columns_[k].response));
     check_load(table);
     if (is_map_of_deviation()) find_deviation(table);
   }
@@ -206,6 +213,12 @@ class ReferenceReader {
       if (const std::vector<Problem> lacks = missing(case_, column.of->command); !lacks.empty())
         fail("file", "got {} of a case that `prs {}` cannot run: {}: {}", column.response, name(column.of->command),
              lacks[0].path, lacks[0].message);
+    if (is_of_load(input_path_) && !columns_[0].of->is_of_load_case && columns_[0].of->command != Command::slip)
+      table.refuse_name(along_,
+                        fmt::format("expected an input of the whole case, since {} is a response of it, on which "
+                                    "{} of a load case does not act; name one by `along: {{column: .., input: "
+                                    "..}}`, for example `life.spectrum[0].force`",
+                                    columns_[0].response, input_path_));
     if (needs_load()) return;
     const std::string none =
         fmt::format("expected none, since {} is a response of the whole case; delete it", columns_[0].response);

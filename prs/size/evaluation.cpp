@@ -123,7 +123,7 @@ class Evaluation {
     rating_ = life.rated_over_l10();
     if (life.converged() && c_.is_steady) {
       c_.by_threads.static_safety = life.static_safety();
-      // Under preload ways without force are in the spectrum too.
+      // Under preload travel without load is in the spectrum too.
       const double of_spectrum = r_.preload ? cycle_.travel : cycle_.loaded_travel;
       if (cycle_.mean_load) c_.by_threads.life = life_of(life.system_life * rating_ * cycle_.travel / of_spectrum);
     }

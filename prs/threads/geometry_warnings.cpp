@@ -87,6 +87,18 @@ void warn_of_proportions(const Conditions& c, const Mechanism& m, std::vector<Wa
                            .with(s.roller.end_diameter, *m.pitch_diameter.roller, "mm"_unit));
 }
 
+void warn_of_fine_pitch(const BodyModel& bodies, const Mechanism& m, std::vector<Warning>& warnings) {
+  const double pitch = axial_pitch(m);
+  if (pitch < bodies.least_pitch * (1.0 - 1e-9))
+    warnings.push_back(Warning{"model.bodies", "fine_pitch",
+                               fmt::format("the pitch is {{value}}; `{}` was compared with finite elements from "
+                                           "{{limit}} on, and {}",
+                                           bodies.name, bodies.bias_of_finer),
+                               "take `bodies: influence` for pressures and static safety"}
+                           .with(pitch, bodies.least_pitch, "mm"_unit, Warning::Worse::smaller)
+                           .as_assumption());
+}
+
 void warn_of_speed(const std::string& path, double speed, double diameter, std::vector<Warning>& warnings) {
   const double n_d = std::abs(speed) * diameter;
   if (n_d > kGreatestSpeedTimesDiameter)
@@ -146,7 +158,10 @@ std::vector<Warning> geometry_warnings(const Conditions& c, const Contacts& cont
   std::vector<Warning> warnings = contacts.warnings;
   warn_of_pitch_cylinders(contacts.threads, warnings);
   warn_of_proportions(c, contacts.mechanism, warnings);
-  if (c.structure) warn_of_free_bearings(*c.structure, warnings);
+  if (c.structure) {
+    warn_of_fine_pitch(*c.model.bodies, contacts.mechanism, warnings);
+    warn_of_free_bearings(*c.structure, warnings);
+  }
   warn_of_pulled_faces(c, loads, warnings);
   warn_of_speeds(c, contacts.mechanism, loads, warnings);
   return warnings;

@@ -1910,7 +1910,7 @@ class Cycles(Record):
 class LifeInUse(Record):
     """A life L10 at the value of the dynamic capacity.
 
-    l10_revolutions [revolutions]: turns under load, which 90 % reach; ways without force do not count; Jung 2017, (8.25); ISO 281
+    l10_revolutions [revolutions]: turns under load, which 90 % reach; travel without load does not count; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
     l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_moving_hours [h]: in motion under load at operation.speed; Jung 2017, (8.25); ISO 281
@@ -1952,7 +1952,7 @@ class LifeAtRest(Record):
 class FixedBearing(Record):
     """The bearing that holds the part that turns.
 
-    equivalent_load_N [N]: of the loads with preload over all revolutions, ways without force included; ISO 281; preload by the rule of makers
+    equivalent_load_N [N]: of the loads with preload over all revolutions, travel without load included; ISO 281; preload by the rule of makers
     l10_revolutions [revolutions]: of the part that turns in it, all of them; that 90 % reach; ISO 281; preload by the rule of makers
     l10_hours [h]: as those of the screw; ISO 281; preload by the rule of makers
     static_safety: static capacity over the largest force; ISO 76
@@ -2010,7 +2010,7 @@ class ModifiedLife(Record):
 class WeakestThread(Record):
     """The thread that fails first, of those that turn under load.
 
-    l10_revolutions [revolutions]: turns under load, which 90 % reach; ways without force do not count; Jung 2017, (8.25); ISO 281
+    l10_revolutions [revolutions]: turns under load, which 90 % reach; travel without load does not count; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
     l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_moving_hours [h]: in motion under load at operation.speed; Jung 2017, (8.25); ISO 281
@@ -2090,7 +2090,7 @@ class InterfaceLife(Record):
 class DirectionLife(Record):
     """Lives under the loads of one direction.
 
-    l10_revolutions [revolutions]: turns under load, which 90 % reach; ways without force do not count; Jung 2017, (8.25); ISO 281
+    l10_revolutions [revolutions]: turns under load, which 90 % reach; travel without load does not count; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
     l10_hours [h]: clock hours where the file states time, duration or period, else hours in motion at operation.speed; Jung 2017, (8.25); ISO 281
     l10_moving_hours [h]: in motion under load at operation.speed; Jung 2017, (8.25); ISO 281
@@ -2216,7 +2216,7 @@ class Measures(Record):
     dynamic_capacity_N [N]: C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3) [N, mm], 3.647 D_c^1.4 beyond 25.4 mm; or life.dynamic_capacity where stated; d_r cos(alpha)/d_n from 0.01 to 0.30; crowned flanks of 45 deg, hardened steel; Lemor, in Jung 2017, (5.5), (6.1), (8.26)
     dynamic_capacity_low_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
     dynamic_capacity_high_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
-    static_capacity_N [N]: with equal thread loads, the least of the next four; or life.static_capacity where stated; equal thread loads; hardened bearing steel; flanks of any height, see flank_edge_load_N; as uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws); ISO 76, Palmgren, Hertz
+    static_capacity_N [N]: the least of deformation_capacity and pressure_capacity at screw and nut; or life.static_capacity where stated; equal thread loads; hardened bearing steel; flanks of any height, see flank_edge_load_N; as uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws); ISO 76, Palmgren, Hertz
     deformation_capacity_screw_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal thread loads; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
     deformation_capacity_nut_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal thread loads; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
     pressure_capacity_screw_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal thread loads; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)
@@ -2237,7 +2237,7 @@ class Measures(Record):
     nut_inertia_kg_mm2 [kg mm²]: rho pi/32 integral of (D(x)^4 - d_N^4) dx; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry
     equivalent_inertia_kg_mm2 [kg mm²]: rollers + what travels + the part that turns (screw; inverted: nut); needs all densities and measures.shaft.length; Jung 2017, (8.34), corrected
     shaft_stiffness_N_per_um [N/µm]: E A_S/L, A_S = pi/4 (d_S^2 - d_bore^2); needs measures.shaft; held axially at one end, the nut at the other; geometry
-    buckling_load_N [N]: pi^2 E I/(K L)^2; below lambda = sqrt(2 pi^2 E/s_y): A s_y (1 - s_y lambda^2/(4 pi^2 E)); needs measures.shaft; core diameter, by default d_S - 0.5 p; straight, no safety factor; without measures.yield_strength Euler alone, too high for stocky shafts; Euler; J. B. Johnson; K = 2, 1, 0.699, 0.5
+    buckling_load_N [N]: pi^2 E I/(K L)^2; below lambda = sqrt(2 pi^2 E/s_y): A s_y (1 - s_y lambda^2/(4 pi^2 E)); needs measures.shaft; core diameter, d_S less twice the dedendum of mechanism.thread, by default d_S - 0.5 p; straight, no safety factor; without measures.yield_strength Euler alone, too high for stocky shafts; Euler; J. B. Johnson; K = 2, 1, 0.699, 0.5
     critical_speed_rpm [rpm]: (beta L)^2 sqrt(E I/(rho A L^4)), beta L = 1.8751, pi, 3.9266, 4.7300; standard mechanisms, whose screw turns; needs measures.shaft and the screw's density; slender uniform beam of the core diameter; no axial load, no margin (catalogues: 80 %); Euler-Bernoulli beam
     """
 

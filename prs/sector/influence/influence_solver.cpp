@@ -1,9 +1,8 @@
 #include "prs/sector/influence/influence_solver.h"
 
-#include <future>
-
 #include "fe/lu.h"
 #include "prs/indices.h"
+#include "prs/side_by_side.h"
 
 namespace prs {
 namespace {
@@ -302,12 +301,7 @@ HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law,
 
 BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction direction, double position,
                                      const FlexibilityOptions& options, MatrixCache& cache) {
-#ifdef __EMSCRIPTEN__
-  constexpr auto when = std::launch::deferred;  // deferred: there are no threads
-#else
-  constexpr auto when = std::launch::async | std::launch::deferred;
-#endif
-  auto roller = std::async(when, [&] { return roller_flexibility(geometry, direction, options, cache); });
+  auto roller = std::async(kSideBySide, [&] { return roller_flexibility(geometry, direction, options, cache); });
   Flexibility screw = screw_flexibility(geometry, direction, options, cache);
   Flexibility nut = nut_flexibility(geometry, direction, position, options, cache);
   return {std::move(screw), std::move(nut), roller.get()};

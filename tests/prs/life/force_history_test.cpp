@@ -49,7 +49,7 @@ std::string error_of(const std::string& text, const HistorySource& history = wan
 
 /// The text that the resolved input shows before the name is refused with its place.
 TEST(ForceHistory, WithoutANameStandsNowhere) {
-  EXPECT_EQ(place_of_history({}, source_of_text("case.yaml", "", {})), "");
+  EXPECT_EQ(place_of_file("", source_of_text("case.yaml", "", {})), "");
 }
 
 TEST(ForceHistory, ReadsColumnsByNameInSiUnits) {

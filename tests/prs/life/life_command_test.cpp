@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "prs/life/load_history.h"
@@ -22,6 +23,7 @@ using test::Outcome;
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 class LifeCommand : public testing::Test {
  protected:
@@ -78,6 +80,24 @@ TEST_F(LifeCommand, MakersScrewsAreNoMeasureOfInvertedOnes) {
   EXPECT_THAT(standard, HasSubstr("by a maker's 23 standard screws"));
   // A spectrum by shares has no number of revolutions.
   EXPECT_EQ(standard.find("spectra"), std::string::npos) << standard;
+}
+
+/// Sizes for which a formula or a model was not compared with others are warned of (docs/new_case.md, docs/refined.md).
+TEST_F(LifeCommand, SizesBeyondThoseComparedAreNamed) {
+  const auto life_of = [&](const std::string& diameter, const std::string& lead) {
+    const std::string file = (folder.path() / (diameter + ".yaml")).string();
+    const std::string size = " --screw-diameter " + diameter + " --lead " + lead;
+    EXPECT_EQ(prs("new standard " + file + size).status, 0);
+    const Outcome outcome = prs("life " + file);
+    EXPECT_EQ(outcome.status, 0);
+    return std::regex_replace(outcome.out, std::regex("\\s+"), " ");
+  };
+  const std::string smallest = life_of("4mm", "1mm"), fine = life_of("30mm", "2mm"), compared = life_of("25mm", "5mm");
+  EXPECT_THAT(smallest, HasSubstr("the capacity was twice the maker's"));
+  EXPECT_THAT(smallest, Not(HasSubstr("by a maker's 23 standard screws")));
+  EXPECT_THAT(fine, HasSubstr("the pitch is 0.4 mm"));
+  EXPECT_THAT(fine, HasSubstr("by a maker's 23 standard screws"));
+  for (const char* words : {"twice the maker's", "the pitch is"}) EXPECT_THAT(compared, Not(HasSubstr(words)));
 }
 
 /// The film is that of `slip` under the mean load, which for a single load is the load.

@@ -29,6 +29,21 @@ std::string refusal(const std::string& optimize) {
   return "";
 }
 
+TEST(OptimizeReader, ResponsesTakeNamesOfLoadCases) {
+  const std::string search = R"(
+optimize:
+  command: contact
+  variables: [{path: mechanism.rollers, from: 8, to: 11}]
+  objectives: [{minimize: "load_cases[PLACE].screw.peak_pressure_MPa.max"}]
+  constraints: [{response: "load_cases[0].screw.peak_pressure_MPa.max", at_most: 5000}]
+)";
+  const auto named = [&](std::string place) {
+    std::string text = search;
+    return read(text.replace(text.find("PLACE"), 5, place), {"load_cases[0].name=push"}).optimization.study.responses;
+  };
+  EXPECT_THAT(named("push"), ElementsAre("load_cases[0].screw.peak_pressure_MPa.max"));
+}
+
 TEST(OptimizeReader, ReadsVariablesAimsAndHow) {
   const OptimizeInput input = read(R"(
 optimize:

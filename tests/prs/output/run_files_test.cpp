@@ -219,5 +219,22 @@ TEST_F(RunFilesTest, CasesForTheUserAreNotListed) {
   EXPECT_NE(content_of(folder / kFileList).find("configurations.json"), std::string::npos);
 }
 
+/// A later run would remove what is listed.
+TEST_F(RunFilesTest, AnOriginalIsNoCopyOfItself) {
+  const auto fit_of = [&](const fs::path& original) {
+    RunFiles files(folder, "fit", one);
+    write_files(folder, {{"fit.json", ""}, {"readings.csv", "readings", original}});
+    files.finish();
+  };
+  write(folder / "readings.csv", "readings");
+  fit_of(folder / "readings.csv");
+  run("solve", two, {"result.json"});
+  EXPECT_THAT(present(), ElementsAre("readings.csv", "result.json"));
+  write(temporary.path() / "far" / "readings.csv", "readings");
+  fit_of(temporary.path() / "far" / "readings.csv");
+  run("solve", two, {"result.json"});
+  EXPECT_THAT(present(), ElementsAre("result.json"));
+}
+
 }  // namespace
 }  // namespace prs

@@ -24,6 +24,9 @@ TEST(ResponseTitle, HasTheWordsOfCataloguesThenThePartAndTheThread) {
   EXPECT_EQ(response_title("nut.roller_share_percent[3]").name, "roller share, nut, roller 4");
   EXPECT_EQ(response_title("screw.load_rate_percent.max").name, "largest share of the load, screw");
   EXPECT_EQ(response_title("measures.solved_static_safety").name, "static safety");
+  EXPECT_EQ(response_title("measures.static_safety").name, "static safety (estimate)");
+  EXPECT_EQ(response_title("load_cases[1].measures.l10_hours").name, "load cases[1] measures L10 in time (estimate)");
+  EXPECT_EQ(response_title("life.static_safety").name, "life static safety");
   EXPECT_EQ(response_title("life.system.l10_hours").name, "life L10 in time, mechanism");
   EXPECT_EQ(response_title("life.catalogue.l10_revolutions").name, "life L10 in turns, by the catalogue's formula");
   EXPECT_EQ(response_title("heat.temperature_degC.nut").name, "temperature, nut");

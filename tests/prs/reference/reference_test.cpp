@@ -260,6 +260,11 @@ TEST_F(AgainstReferences, WhatTheCaseDoesNotGiveIsSaid) {
                         "response of the whole case"));
   EXPECT_THAT(refusal("contact.nut.backlash_mm,axial_displacement_um\n0.1,5\n"),
               HasSubstr("got axial_displacement_um; expected a response of the whole case"));
+  EXPECT_THAT(refusal("force_kN,contact.nut.backlash_mm\n10,0.1\n"),
+              HasSubstr("x.csv:1:1: error: heading: got force_kN; expected an input of the whole case, since "
+                        "contact.nut.backlash_mm is a response of it"));
+  EXPECT_THAT(refusal("load_case,axial_displacement_um,axial_displacement_mm\n" + name() + ",5,0.005\n"),
+              HasSubstr("got axial_displacement_mm; expected each response once"));
   const ModelComparison c = run("[{file: x.csv}]", "measures.weight_kg\n5\n");
   EXPECT_EQ(std::ranges::count(c.warnings, "reference_absent", &Warning::code), 1);
 }

@@ -116,6 +116,24 @@ TEST(StudyReader, LoadCasesGoByTheirNames) {
   EXPECT_EQ(read_study_input(source).study.responses.at(0), "load_cases[3].axial_displacement_um");
 }
 
+/// The index of a load case stands for its name in every design.
+TEST(StudyReader, LoadCasesOfResponsesKeepTheirPlace) {
+  const auto study = [](const std::string& path, const std::string& values, const std::string& response) {
+    Source source = source_of("study: {command: solve, factors: [{path: \"" + path + "\", values: [" + values +
+                              "]}], responses: [\"" + response + "\"]}\n");
+    source.overrides = {"load_cases[pull].axial_force={from: 1 kN, to: 3 kN, steps: 3}"};
+    return error_of(source);
+  };
+  const std::string first = "load_cases[pull].axial_displacement_um", second = "load_cases[push].axial_displacement_um";
+  EXPECT_THAT(study("load_cases[pull].axial_force.steps", "2, 3", second),
+              HasSubstr("study.factors: got load_cases[0].axial_force.steps, which changes the number of load cases "
+                        "before that of load_cases[3].axial_displacement_um"));
+  EXPECT_THAT(study("load_cases[pull].axial_force", "2 kN", second), HasSubstr("changes the number of load cases"));
+  EXPECT_EQ(study("load_cases[pull].axial_force.steps", "2, 3", first), "");
+  EXPECT_EQ(study("load_cases[push].axial_force.steps", "2, 3", second), "");
+  EXPECT_EQ(study("load_cases[pull].axial_force.to", "2 kN, 4 kN", second), "");
+}
+
 TEST(StudyReader, SaysWhereARangeBelongs) {
   EXPECT_THAT(error_of("path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3"),
               HasSubstr("study.factors[0].from: unknown key; expected one of path, values, uniform, "
