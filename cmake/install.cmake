@@ -10,12 +10,9 @@ install(DIRECTORY validation/ DESTINATION share/prs/validation COMPONENT program
 install(DIRECTORY build/web/ DESTINATION share/prs/web COMPONENT program OPTIONAL)  # Of scripts/web.sh.
 # The program itself writes its manual and its completions.
 set(share \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share)
-install(CODE "file(MAKE_DIRECTORY ${share}/bash-completion/completions ${share}/zsh/vendor-completions
-    ${share}/fish/vendor_completions.d)
+install(CODE "file(MAKE_DIRECTORY ${share}/bash-completion/completions)
   foreach(command IN ITEMS \"manual --output '${share}/man/man1'\"
-          \"completion bash >'${share}/bash-completion/completions/prs'\"
-          \"completion zsh >'${share}/zsh/vendor-completions/_prs'\"
-          \"completion fish >'${share}/fish/vendor_completions.d/prs.fish'\")
+          \"completion bash >'${share}/bash-completion/completions/prs'\")
     execute_process(COMMAND sh -c \"'$<TARGET_FILE:prs>' \${command}\" COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
   file(GLOB pages ${share}/man/man1/prs*.1)

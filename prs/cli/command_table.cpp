@@ -375,18 +375,13 @@ void add_merge(Program& program) {
 }
 
 void add_completion(Program& program) {
-  const auto complete = [&program](const Options& options) {
-    const CommandText text = describe(program.app);
-    print(options.what == "bash"  ? bash_completion(text)
-          : options.what == "zsh" ? zsh_completion(text)
-                                  : fish_completion(text));
+  const auto complete = [&program](const Options&) {
+    print(bash_completion(describe(program.app)));
     return kDone;
   };
   App& command = add_command(program, "completion", "Print the completion script of a shell", kLook,
-                             "source <(prs completion bash)\n"
-                             "prs completion fish > ~/.config/fish/completions/prs.fish",
-                             complete);
-  take_one_of(command.add_option("shell", program.options.what, "Of which shell")->required(), {"bash", "zsh", "fish"});
+                             "source <(prs completion bash)", complete);
+  take_one_of(command.add_option("shell", program.options.what, "Of which shell")->required(), {"bash"});
 }
 
 void add_pages(const CommandText& command, std::vector<OutputFile>& pages) {

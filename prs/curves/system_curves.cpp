@@ -348,28 +348,6 @@ class FrictionTorque {
   SlipStatus status_ = SlipStatus::not_computed;
 };
 
-/// Nodes of a table along forces or speeds, and which intervals between them are still to be divided.
-struct GridAxis {
-  std::vector<double> at;
-  std::vector<bool> is_open;
-
-  std::size_t open() const { return static_cast<std::size_t>(std::ranges::count(is_open, true)); }
-};
-
-/// Nodes of a table: signed roots of a force, and speeds; a middle of two speeds is at their mean ratio.
-struct FrictionGrid {
-  GridAxis root, speed;
-};
-
-/// So many intervals from one end to the other.
-template <class Place>
-GridAxis even_axis(std::size_t intervals, Place place) {
-  GridAxis axis{{}, std::vector<bool>(intervals, true)};
-  for (std::size_t k = 0; k <= intervals; ++k)
-    axis.at.push_back(place(static_cast<double>(k) / static_cast<double>(intervals)));
-  return axis;
-}
-
 double force_of(double root) { return root * std::abs(root); }
 
 /// The torque by the signs of force and speed, each with a search of its own.
@@ -380,16 +358,16 @@ class QuadrantTorques {
     for (int k = 0; k < 4; ++k) torques_.emplace_back(c, contacts, pattern, oils, points);
   }
   FrictionTorque& of(double force, double speed) { return torques_[(force < 0.0 ? 2U : 0U) + (speed < 0.0 ? 1U : 0U)]; }
-  std::optional<double> at(double force, double speed) { return of(force, speed).at(force, speed); }
 
  private:
   std::deque<FrictionTorque> torques_;
 };
 
-FrictionTable table_on(const FrictionGrid& grid, QuadrantTorques& torques) {
-  const std::size_t roots = grid.root.at.size();
-  const std::vector<double> none(roots * grid.speed.at.size());
-  FrictionTable table{grid.root.at, grid.speed.at, none, none};
+FrictionTable table_on(const std::vector<double>& root_force, const std::vector<double>& speeds,
+                       QuadrantTorques& torques) {
+  const std::size_t roots = root_force.size();
+  const std::vector<double> none(roots * speeds.size());
+  FrictionTable table{root_force, speeds, none, none};
   const auto fill = [&](double force_sign, double speed_sign) {
     FrictionTorque& torque = torques.of(force_sign, speed_sign);
     for (const auto j : up_to(roots)) {
@@ -425,24 +403,20 @@ PrsCurves curves_of(const FrictionTable& table) {
   return curves;
 }
 
-/// Largest differences at the nodes of a finer table [N m], along roots and along speeds.
-struct Differences {
-  std::vector<double> root, speed;
-};
-Differences differences(const FrictionTable& coarse, const FrictionTable& fine) {
+/// Largest differences of a table at each speed, or each root of a force, of a finer one [N m].
+std::vector<double> missed(const FrictionTable& coarse, const FrictionTable& fine, bool by_speed) {
   const PrsCurves curves = curves_of(coarse);
-  Differences most{std::vector<double>(fine.root_force.size()), std::vector<double>(fine.speed.size())};
+  std::vector<double> most((by_speed ? fine.speed : fine.root_force).size());
+  std::size_t k = 0;
   for (const auto i : indices(fine.speed))
     for (const auto j : indices(fine.root_force)) {
       int beyond = 0;
-      const std::size_t k = i * fine.root_force.size() + j;
+      double& at = most[by_speed ? i : j];
       // With a lead of zero the torque is that of friction.
-      const auto missed = [&](double friction, double sign) {
-        return std::abs(friction - prs_torque(&curves, force_of(fine.root_force[j]), sign * fine.speed[i], &beyond));
-      };
-      const double larger = std::max(missed(fine.forward[k], 1.0), missed(fine.backward[k], -1.0));
-      most.root[j] = std::max(most.root[j], larger);
-      most.speed[i] = std::max(most.speed[i], larger);
+      for (const auto& [friction, sign] : {std::pair{fine.forward[k], 1.0}, {fine.backward[k], -1.0}})
+        at = std::max(
+            at, std::abs(friction - prs_torque(&curves, force_of(fine.root_force[j]), sign * fine.speed[i], &beyond)));
+      ++k;
     }
   return most;
 }
@@ -453,87 +427,66 @@ double least_root(QuadrantTorques& torque, double largest_root, const std::vecto
   constexpr double kLeast = 1.0 / 64.0, kMost = 0.5;
   for (double share = kLeast; share < kMost; share *= 2.0) {
     bool all = true;
-    for (const double force_sign : {1.0, -1.0})
-      for (const double sign : {1.0, -1.0})
-        for (const double speed : speeds)
-          all = all && torque.at(force_sign * force_of(share * largest_root), sign * speed);
+    const double force = force_of(share * largest_root);
+    for (const double speed : speeds)
+      for (const double f : {force, -force})
+        for (const double v : {speed, -speed}) all = all && torque.of(f, v).at(f, v);
     if (all) return share * largest_root;
   }
   return kMost * largest_root;
 }
 
-/// The friction of a table that is refined where it misses the torque.
-class RefinedTable {
- public:
-  RefinedTable(QuadrantTorques& torque, FrictionGrid grid, double lead)
-      : torque_(torque), grid_(std::move(grid)), table_(table_on(grid_, torque)) {
-    largest_ = std::abs(force_of(grid_.root.at.back()) * lead) / (2.0 * std::numbers::pi) +
-               std::max(std::ranges::max(table_.forward), std::abs(std::ranges::min(table_.backward)));
-  }
+constexpr double kSpeedRange = 1e-3;       ///< Smallest speed of the table over the largest.
+constexpr std::size_t kMostOfTable = 260;  ///< Nodes along speeds or roots.
 
-  /// Divides the open intervals of an axis at the `middle` of both ends. Those whose middle the table missed by too
-  /// much stay open, both halves. Whether there were any, with room for their nodes.
-  bool refine(GridAxis FrictionGrid::*which, std::vector<double> Differences::*of, double (*middle)(double, double)) {
-    const GridAxis before = grid_.*which;
-    if (before.open() == 0 || before.at.size() + before.open() > kMostNodes) return false;
-    GridAxis& axis = grid_.*which;
-    axis = {};
-    for (const auto k : indices(before.at)) {
-      axis.at.push_back(before.at[k]);
-      if (k + 1 == before.at.size()) break;
-      if (before.is_open[k]) axis.at.push_back(middle(before.at[k], before.at[k + 1]));
-      axis.is_open.insert(axis.is_open.end(), before.is_open[k] ? 2 : 1, before.is_open[k]);
-    }
-    FrictionTable finer = table_on(grid_, torque_);
-    const std::vector<double> missed = differences(table_, finer).*of;
-    double of_open = 0.0;
-    for (std::size_t k = 0; k < axis.is_open.size(); ++k) {
-      if (!axis.is_open[k]) continue;
-      const double share = missed[k + 1] / largest_;  // Of the node between both halves.
-      axis.is_open[k] = axis.is_open[k + 1] = share > kTorqueTolerance / 8.0;
-      double& error = axis.is_open[k] ? of_open : error_;
-      error = std::max(error, share);
-      ++k;
-    }
-    if (axis.at.size() + axis.open() > kMostNodes) error_ = std::max(error_, of_open);
-    table_ = std::move(finer);
-    return true;
-  }
-
-  FrictionTable table() && { return std::move(table_); }
-  double error() const { return error_; }
-
- private:
-  static constexpr std::size_t kMostNodes = 260;
-
-  QuadrantTorques& torque_;
-  FrictionGrid grid_;
-  FrictionTable table_;
-  double largest_ = 0.0, error_ = 0.0;
-};
-
-constexpr double kSpeedRange = 1e-3;  ///< Smallest speed of the table over the largest.
-
+/// A table that is refined along roots and along speeds where it misses the torque.
 FrictionTable friction_table(QuadrantTorques& torque, double force, double speed, bool depends_on_speed, double lead,
                              double& error) {
-  FrictionGrid grid;
-  grid.speed = even_axis(depends_on_speed ? 4 : 1, [&](double t) { return speed * std::pow(kSpeedRange, 1.0 - t); });
-  if (!depends_on_speed) grid.speed.is_open = {false};
-  const double most = std::sqrt(force), least = least_root(torque, most, grid.speed.at);
-  const GridAxis tension = even_axis(8, [&](double t) { return least + (most - least) * t; });
-  grid.root = even_axis(8, [&](double t) { return -most + (most - least) * t; });
-  append(grid.root.at, tension.at);
-  grid.root.is_open.push_back(false);
-  grid.root.is_open.insert(grid.root.is_open.end(), tension.is_open.begin(), tension.is_open.end());
-  RefinedTable refined(torque, std::move(grid), lead);
+  std::vector<double> speeds, roots;
+  const int ratios = depends_on_speed ? 4 : 1, parts = 8;
+  for (int k = 0; k <= ratios; ++k) speeds.push_back(speed * std::pow(kSpeedRange, 1.0 - 1.0 * k / ratios));
+  const double most = std::sqrt(force), least = least_root(torque, most, speeds);
+  for (int k = parts; k >= 0; --k) roots.push_back(-least - (most - least) * k / parts);
+  for (int k = 0; k <= parts; ++k) roots.push_back(least + (most - least) * k / parts);
+  // Intervals that are still to be divided.
+  std::vector<bool> open_roots(roots.size() - 1, true), open_speeds(speeds.size() - 1, depends_on_speed);
+  open_roots[parts] = false;
+  FrictionTable table = table_on(roots, speeds, torque);
+  const double largest = std::abs(force * lead) / (2.0 * std::numbers::pi) +
+                         std::max(std::ranges::max(table.forward), std::abs(std::ranges::min(table.backward)));
+
+  const auto refine = [&](bool by_speed) {
+    std::vector<bool>& open = by_speed ? open_speeds : open_roots;
+    std::vector<double>& at = by_speed ? speeds : roots;
+    const auto has_room = [&] {
+      return at.size() + static_cast<std::size_t>(std::ranges::count(open, true)) <= kMostOfTable;
+    };
+    if (!has_room() || !contains(open, true)) return false;
+    for (std::size_t k = open.size(); k-- > 0;)
+      if (open[k])
+        at.insert(at.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                  by_speed ? std::sqrt(at[k] * at[k + 1]) : 0.5 * (at[k] + at[k + 1]));
+    FrictionTable finer = table_on(roots, speeds, torque);
+    const std::vector<double> off = missed(table, finer, by_speed);
+    std::vector<bool> halves;
+    double of_open = 0.0;
+    for (const bool is_open : open) {
+      const double share = is_open ? off[halves.size() + 1] / largest : 0.0;  // At the node between both halves.
+      const bool stays = share > kTorqueTolerance / 8.0;
+      halves.insert(halves.end(), is_open ? 2 : 1, stays);
+      double& worst = stays ? of_open : error;
+      worst = std::max(worst, share);
+    }
+    open = std::move(halves);
+    table = std::move(finer);
+    if (!has_room()) error = std::max(error, of_open);
+    return true;
+  };
   for (bool more = true; more;) {
-    more = refined.refine(&FrictionGrid::root, &Differences::root, [](double a, double b) { return 0.5 * (a + b); });
-    more = refined.refine(&FrictionGrid::speed, &Differences::speed, [](double a, double b) {
-      return std::sqrt(a * b);
-    }) || more;
+    more = refine(false);
+    more = refine(true) || more;
   }
-  error = refined.error();
-  return std::move(refined).table();
+  return table;
 }
 
 /// Conditions of the running parts: with `heat` at its steady temperatures.

@@ -69,8 +69,6 @@ def test_programs_find_their_data_wherever_they_are_moved(installed: Path, tmp_p
         "man/man1/prs.1.gz",
         "man/man1/prs-solve.1.gz",
         "bash-completion/completions/prs",
-        "zsh/vendor-completions/_prs",
-        "fish/vendor_completions.d/prs.fish",
     ],
 )
 def test_manual_and_completions_are_there(installed: Path, text: str) -> None:

@@ -74,7 +74,6 @@ PRS_OF_PREDICATE(any_of)
 PRS_OF_PREDICATE(none_of)
 PRS_OF_PREDICATE(find_if)
 PRS_OF_PREDICATE(count_if)
-PRS_OF_PREDICATE(partition_point)
 #undef PRS_OF_PREDICATE
 
 /// An algorithm NAME with an order, by that on iterators.
@@ -92,11 +91,27 @@ PRS_OF_PREDICATE(partition_point)
 PRS_OF_ORDER(is_sorted)
 PRS_OF_ORDER(max_element)
 PRS_OF_ORDER(min_element)
-PRS_OF_ORDER(pop_heap)
-PRS_OF_ORDER(push_heap)
 PRS_OF_ORDER(sort)
 PRS_OF_ORDER(stable_sort)
 #undef PRS_OF_ORDER
+
+/// An algorithm NAME of a range with further arguments, by that on iterators.
+#define PRS_OF_RANGE(NAME)                                                       \
+  struct NAME##_fn {                                                             \
+    template <class R, class... A>                                               \
+    constexpr auto operator()(R&& r, A&&... a) const {                           \
+      return std::NAME(ranges::begin(r), ranges::end(r), std::forward<A>(a)...); \
+    }                                                                            \
+  };
+PRS_OF_RANGE(adjacent_find)
+PRS_OF_RANGE(copy)
+PRS_OF_RANGE(fill)
+PRS_OF_RANGE(for_each)
+PRS_OF_RANGE(move)
+PRS_OF_RANGE(replace)
+PRS_OF_RANGE(replace_if)
+PRS_OF_RANGE(reverse)
+#undef PRS_OF_RANGE
 
 struct minmax_element_fn {
   template <class R, class C = ranges::less, class P = std::identity>
@@ -157,13 +172,6 @@ struct count_fn {
   }
 };
 
-struct adjacent_find_fn {
-  template <class R>
-  constexpr auto operator()(R&& r) const {
-    return std::adjacent_find(ranges::begin(r), ranges::end(r));
-  }
-};
-
 struct lower_bound_fn {
   template <class R, class T, class C = ranges::less, class P = std::identity>
   constexpr auto operator()(R&& r, const T& value, C c = {}, P p = {}) const {
@@ -187,26 +195,10 @@ struct equal_fn {
   }
 };
 
-// Algorithms that write return nothing, as their results are not used.
-
-struct copy_fn {
-  template <class R, class O>
-  constexpr void operator()(R&& r, O out) const {
-    std::copy(ranges::begin(r), ranges::end(r), out);
-  }
-};
-
 struct copy_if_fn {
   template <class R, class O, class F, class P = std::identity>
   constexpr void operator()(R&& r, O out, F f, P p = {}) const {
     std::copy_if(ranges::begin(r), ranges::end(r), out, projected_to(f, p));
-  }
-};
-
-struct move_fn {
-  template <class R, class O>
-  constexpr void operator()(R&& r, O out) const {
-    std::move(ranges::begin(r), ranges::end(r), out);
   }
 };
 
@@ -215,45 +207,6 @@ struct transform_fn {
   constexpr void operator()(R&& r, O out, F f) const {
     std::transform(ranges::begin(r), ranges::end(r), out,
                    [&](auto&& value) -> decltype(auto) { return std::invoke(f, value); });
-  }
-};
-
-struct fill_fn {
-  template <class R, class T>
-  constexpr void operator()(R&& r, const T& value) const {
-    std::fill(ranges::begin(r), ranges::end(r), value);
-  }
-};
-
-struct for_each_fn {
-  template <class R, class F>
-  constexpr void operator()(R&& r, F f) const {
-    for (auto&& value : r) std::invoke(f, value);
-  }
-};
-
-struct replace_fn {
-  template <ranges::range R, class T>
-  constexpr void operator()(R&& r, const T& from, const T& to) const {
-    std::replace(ranges::begin(r), ranges::end(r), from, to);
-  }
-  template <std::input_or_output_iterator I, class T>
-  constexpr void operator()(I first, I last, const T& from, const T& to) const {
-    std::replace(first, last, from, to);
-  }
-};
-
-struct replace_if_fn {
-  template <class R, class F, class T>
-  constexpr void operator()(R&& r, F f, const T& to) const {
-    std::replace_if(ranges::begin(r), ranges::end(r), f, to);
-  }
-};
-
-struct reverse_fn {
-  template <class R>
-  constexpr void operator()(R&& r) const {
-    std::reverse(ranges::begin(r), ranges::end(r));
   }
 };
 
@@ -282,9 +235,6 @@ inline constexpr prs_missing::minmax_element_fn minmax_element;
 inline constexpr prs_missing::minmax_fn minmax;
 inline constexpr prs_missing::move_fn move;
 inline constexpr prs_missing::none_of_fn none_of;
-inline constexpr prs_missing::partition_point_fn partition_point;
-inline constexpr prs_missing::pop_heap_fn pop_heap;
-inline constexpr prs_missing::push_heap_fn push_heap;
 inline constexpr prs_missing::replace_fn replace;
 inline constexpr prs_missing::replace_if_fn replace_if;
 inline constexpr prs_missing::reverse_fn reverse;

@@ -116,7 +116,7 @@ TEST(StudyReader, LoadCasesGoByTheirNames) {
   EXPECT_EQ(read_study_input(source).study.responses.at(0), "load_cases[3].axial_displacement_um");
 }
 
-/// The index of a load case stands for its name in every design.
+/// A name becomes an index, which is the same in every design.
 TEST(StudyReader, LoadCasesOfResponsesKeepTheirPlace) {
   const auto study = [](const std::string& path, const std::string& values, const std::string& response) {
     Source source = source_of("study: {command: solve, factors: [{path: \"" + path + "\", values: [" + values +
