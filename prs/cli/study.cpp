@@ -168,9 +168,11 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
                                               {"history.csv", history_csv(result, style)}};
                 if (const std::optional<std::string> chosen = chosen_case(result, source)) {
                   files.push_back({"best.yaml", *chosen});
-                  for (const std::string& name : companions(source))
-                    files.push_back(
-                        {name, input::named_file_text(name, name, source, true), input::place_of_file(name, source)});
+                  for (const std::string& name : companions(source)) try {
+                      files.push_back(
+                          {name, input::named_file_text(name, name, source), input::place_of_file(name, source)});
+                    } catch (const input::InputError&) {  // Of a block that the search does not read.
+                    }
                 }
                 return files;
               },

@@ -506,7 +506,7 @@ std::string response_path(const Node& root, const std::vector<LoadCaseItem>& loa
 }
 
 void check_load_cases(const std::vector<std::string>& responses, const std::vector<std::string>& varied,
-                      std::string_view at, const Node& root, const std::vector<LoadCaseItem>& load_cases,
+                      const std::string& at, const Node& root, const std::vector<LoadCaseItem>& load_cases,
                       ErrorList& errors) {
   for (const auto i : indices(load_cases))
     for (const std::string& path : varied) {
@@ -515,7 +515,7 @@ void check_load_cases(const std::vector<std::string>& responses, const std::vect
       if (path != force + ".steps" && (path != force || next == first_case(load_cases, i) + 1)) continue;
       for (const std::string& response : responses)
         if (response.starts_with(kLoadCases) && std::strtoul(response.c_str() + kLoadCases.size(), nullptr, 10) >= next)
-          refuse(root, std::string(at),
+          refuse(root, at,
                  fmt::format("got {}, which changes the number of load cases before that of {}; expected responses of "
                              "load cases whose place stays; put the range last",
                              shown(path), shown(response)),

@@ -23,7 +23,7 @@ std::string response_path(const Node& root, const std::vector<LoadCaseItem>& loa
 
 /// Adds an error at `at` if one of the inputs `varied` changes the number of load cases before that of a response.
 void check_load_cases(const std::vector<std::string>& responses, const std::vector<std::string>& varied,
-                      std::string_view at, const Node& root, const std::vector<LoadCaseItem>& load_cases,
+                      const std::string& at, const Node& root, const std::vector<LoadCaseItem>& load_cases,
                       ErrorList& errors);
 
 /// A design's file, its values not yet checked against each other.
