@@ -80,9 +80,9 @@ std::vector<Resonance> resonances_of(const SmallVibration& v) {
   first.bottomLeftCorner(n, n) /= w;
   std::vector<Resonance> found;
   const Eigen::EigenSolver<AtMost<double, 6>> solver(first, false);
-  const double still = 1e-6 * w;  // Rounding gives the two rates of a free rigid motion, which are zero, some 1e-8 w.
+  // Rounding gives the two rates of a free rigid motion, which are zero, some 1e-8 w.
   for (const std::complex<double> lambda : solver.eigenvalues())
-    if (lambda.imag() > 1e-6 * std::abs(lambda) && std::abs(lambda) > still)
+    if (lambda.imag() > 1e-6 * std::abs(lambda) && std::abs(lambda) > 1e-6 * w)
       found.push_back({std::abs(lambda) / (2.0 * std::numbers::pi), -lambda.real() / std::abs(lambda)});
   std::ranges::sort(found, {}, &Resonance::frequency);
   return found;

@@ -5,8 +5,6 @@
 #include "modules/fit/fit_analysis.h"
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
-#include "prs/cli/package.h"
-#include "prs/input/force_history.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/optimize/optimize_pictures.h"
 #include "prs/run/study.h"
@@ -166,14 +164,8 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
               [&](const CsvStyle& style) {
                 std::vector<OutputFile> files{{"front.csv", front_csv(result, style)},
                                               {"history.csv", history_csv(result, style)}};
-                if (const std::optional<std::string> chosen = chosen_case(result, source)) {
+                if (const std::optional<std::string> chosen = chosen_case(result, source))
                   files.push_back({"best.yaml", *chosen});
-                  for (const std::string& name : companions(source)) try {
-                      files.push_back(
-                          {name, input::named_file_text(name, name, source), input::place_of_file(name, source)});
-                    } catch (const input::InputError&) {  // Of a block that the search does not read.
-                    }
-                }
                 return files;
               },
           .pictures = [&] { return optimization_pictures(result); },

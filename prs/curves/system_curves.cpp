@@ -177,8 +177,8 @@ struct SolvedPoints {
   std::atomic<std::size_t> solved = 0;
 
   void add(std::size_t points) {
-    const std::size_t now = solved += points;
-    if (progress) progress(now);
+    solved += points;
+    if (progress) progress(solved);
   }
 };
 
@@ -357,7 +357,7 @@ class QuadrantTorques {
                   SolvedPoints& points) {
     for (int k = 0; k < 4; ++k) torques_.emplace_back(c, contacts, pattern, oils, points);
   }
-  FrictionTorque& of(double force, double speed) { return torques_[(force < 0.0 ? 2U : 0U) + (speed < 0.0 ? 1U : 0U)]; }
+  FrictionTorque& of(double force, double speed) { return torques_[2U * (force < 0.0) + (speed < 0.0)]; }
 
  private:
   std::deque<FrictionTorque> torques_;
@@ -472,7 +472,7 @@ FrictionTable friction_table(QuadrantTorques& torque, double force, double speed
     double of_open = 0.0;
     for (const bool is_open : open) {
       const double share = is_open ? off[halves.size() + 1] / largest : 0.0;  // At the node between both halves.
-      const bool stays = share > kTorqueTolerance / 8.0;
+      const bool stays = !(share <= kTorqueTolerance / 8.0);
       halves.insert(halves.end(), is_open ? 2 : 1, stays);
       double& worst = stays ? of_open : error;
       worst = std::max(worst, share);

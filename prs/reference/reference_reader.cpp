@@ -213,12 +213,14 @@ class ReferenceReader {
       if (const std::vector<Problem> lacks = missing(case_, column.of->command); !lacks.empty())
         fail("file", "got {} of a case that `prs {}` cannot run: {}: {}", column.response, name(column.of->command),
              lacks[0].path, lacks[0].message);
-    if (is_of_load(input_path_) && !columns_[0].of->is_of_load_case && columns_[0].of->command != Command::slip)
+    const std::string& response = columns_[0].response;
+    if (is_of_load(input_path_) &&
+        (response.starts_with("contact.") || (response.starts_with("life.") && input_path_ == kForce)))
       table.refuse_name(along_,
                         fmt::format("expected an input of the whole case, since {} is a response of it, on which "
                                     "{} of a load case does not act; name one by `along: {{column: .., input: "
                                     "..}}`, for example `life.spectrum[0].force`",
-                                    columns_[0].response, input_path_));
+                                    response, input_path_));
     if (needs_load()) return;
     const std::string none =
         fmt::format("expected none, since {} is a response of the whole case; delete it", columns_[0].response);

@@ -82,6 +82,20 @@ std::vector<Warning> idle_warnings(const CaseDerivatives& result) {
   return warnings;
 }
 
+/// Settings by which a case reads the same force history in any folder: the place of its file, and its hash.
+std::vector<std::string> place_of_history(const input::Source& source) try {
+  input::ErrorList errors(source);
+  const input::Node root = input::read_document(source, errors);
+  const std::string file_key = "life.history.file", hash_key = "life.history.sha256";
+  const input::Node* file = find_path(root, file_key);
+  if (!file) return {};
+  const std::string text = input::named_file_text(file->text, file_key, source, find_path(root, hash_key));
+  return {fmt::format("{}=\"{}\"", file_key, input::place_of_file(file->text, source).string()),
+          fmt::format("{}={}", hash_key, sha256(text))};
+} catch (const input::InputError&) {  // The search does not read it.
+  return {};
+}
+
 DesignEngine engine_of(const input::OptimizeInput& in) {
   try {
     return DesignEngine(in.start, simd::InstructionSet::best, Arrays::refused);
@@ -233,7 +247,9 @@ std::optional<OptimizationResult> run_optimization(const input::OptimizeInput& i
 std::optional<std::string> chosen_case(const OptimizationResult& result, const input::Source& source) {
   const EvaluatedDesign* chosen = result.chosen();
   if (chosen == nullptr) return std::nullopt;
-  return case_with(source, settings_of(result.optimization, *chosen), remark(result, source.name));
+  std::vector<std::string> settings = settings_of(result.optimization, *chosen);
+  append(settings, place_of_history(source));
+  return case_with(source, settings, remark(result, source.name));
 }
 
 }  // namespace prs

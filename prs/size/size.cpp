@@ -568,7 +568,8 @@ std::vector<ClassStep> steps_of_cycle(const SizeInput& in) {
     std::ptrdiff_t first = 0;
     for (const MotionSegment& s : cycle.all) {
       if (at >= end) first = std::ssize(steps), end = at + window;
-      auto step = std::ranges::find(steps.begin() + first, steps.end(), s.shown_as, &ClassStep::shown);
+      auto step = std::ranges::find_if(steps.begin() + first, steps.end(),
+                                       [&](const ClassStep& other) { return other.shown == s.shown_as; });
       if (step == steps.end()) step = steps.insert(step, {s.shown_as});
       const MotionSegment& of = cycle.shown[s.shown_as];
       step->duration += s.duration;

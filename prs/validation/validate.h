@@ -22,10 +22,7 @@ struct PrintedNumber {
   int agreeing_digits(double computed) const;
   /// Computed minus printed, in units of the last known digit.
   double off(double computed) const;
-  /// Decimals of the last known digit, negative left of the point.
-  int last_decimals() const { return -last_place(); }
-
- private:
+  /// Power of ten of the last known digit.
   int last_place() const;
 };
 

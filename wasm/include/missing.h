@@ -77,16 +77,12 @@ PRS_OF_PREDICATE(count_if)
 #undef PRS_OF_PREDICATE
 
 /// An algorithm NAME with an order, by that on iterators.
-#define PRS_OF_ORDER(NAME)                                                                      \
-  struct NAME##_fn {                                                                            \
-    template <ranges::range R, class C = ranges::less, class P = std::identity>                 \
-    constexpr auto operator()(R&& r, C c = {}, P p = {}) const {                                \
-      return std::NAME(ranges::begin(r), ranges::end(r), compared_by(c, p));                    \
-    }                                                                                           \
-    template <std::input_or_output_iterator I, class C = ranges::less, class P = std::identity> \
-    constexpr auto operator()(I first, I last, C c = {}, P p = {}) const {                      \
-      return std::NAME(first, last, compared_by(c, p));                                         \
-    }                                                                                           \
+#define PRS_OF_ORDER(NAME)                                                   \
+  struct NAME##_fn {                                                         \
+    template <class R, class C = ranges::less, class P = std::identity>      \
+    constexpr auto operator()(R&& r, C c = {}, P p = {}) const {             \
+      return std::NAME(ranges::begin(r), ranges::end(r), compared_by(c, p)); \
+    }                                                                        \
   };
 PRS_OF_ORDER(is_sorted)
 PRS_OF_ORDER(max_element)
@@ -155,12 +151,8 @@ struct minmax_fn {
 struct find_fn {
   template <class R, class T, class P = std::identity>
   constexpr auto operator()(R&& r, const T& value, P p = {}) const {
-    return (*this)(ranges::begin(r), ranges::end(r), value, p);
-  }
-  template <std::input_or_output_iterator I, class T, class P = std::identity>
-  constexpr I operator()(I first, I last, const T& value, P p = {}) const {
-    while (first != last && !(std::invoke(p, *first) == value)) ++first;
-    return first;
+    return find_if_fn{}(
+        r, [&](const auto& found) { return found == value; }, p);
   }
 };
 

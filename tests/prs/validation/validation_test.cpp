@@ -82,13 +82,13 @@ TEST(Validation, EveryNumberThatChangesIsSeen) {
       for (const double ten : {-10.0, 10.0}) {
         Comparison moved = c;
         PrintedNumber& printed = moved.reference.printed;
-        printed = {fmt::format("{:.17g}", printed.value() + 2.0 * ten * printed.half_unit()), printed.last_decimals()};
+        printed = {fmt::format("{:.17g}", printed.value() + 2.0 * ten * printed.half_unit()), -printed.last_place()};
         EXPECT_TRUE(moved.unexpected()) << report.name << ' ' << c.reference.where;
         if (!c.reference.corrected) continue;
         moved = c;
         PrintedNumber& corrected = *moved.reference.corrected;
         corrected = {fmt::format("{:.17g}", corrected.value() + 2.0 * ten * corrected.half_unit()),
-                     corrected.last_decimals()};
+                     -corrected.last_place()};
         EXPECT_TRUE(moved.unexpected()) << report.name << ' ' << c.reference.where;
       }
 }
