@@ -48,9 +48,7 @@ std::string error_of(const std::string& text, const HistorySource& history = wan
 }
 
 /// The text that the resolved input shows before the name is refused with its place.
-TEST(ForceHistory, WithoutANameStandsNowhere) {
-  EXPECT_EQ(place_of_file("", source_of_text("case.yaml", "", {})), "");
-}
+TEST(ForceHistory, WithoutANameStandsNowhere) { EXPECT_EQ(place_of_file("", source_of_text("case.yaml", "", {})), ""); }
 
 TEST(ForceHistory, ReadsColumnsByNameInSiUnits) {
   const LoadHistory h = parse("t,n,other,load\n0,60,x,1.5\n250,-30,,-2e1\n");
