@@ -18,6 +18,7 @@ from auditwheel.wheeltools import InWheelCtx
 
 #: Licence by source package, without the version that some have in their name.
 LIBRARIES = {
+    "atlas": "BSD-3-Clause",
     "boost": "BSL-1.0",
     "gcc-": "GPL-3.0-or-later WITH GCC-exception-3.1",
     "lapack": "BSD-3-Clause",
@@ -25,6 +26,7 @@ LIBRARIES = {
     "suitesparse": "(LGPL-2.1-or-later AND GPL-2.0-or-later)",
     "fmtlib": "MIT",
     "libcsv": "LGPL-2.1-or-later",
+    "openblas": "BSD-3-Clause",
     "nettle": "(LGPL-3.0-or-later OR GPL-2.0-or-later)",
     "onetbb": "Apache-2.0",
     "pagmo": "(LGPL-3.0-or-later OR GPL-3.0-or-later)",
