@@ -436,8 +436,8 @@ double least_root(QuadrantTorques& torque, double largest_root, const std::vecto
   return kMost * largest_root;
 }
 
-constexpr double kSpeedRange = 1e-3;       ///< Smallest speed of the table over the largest.
-constexpr std::size_t kMostOfTable = 260;  ///< Nodes along speeds or roots.
+constexpr double kSpeedRange = 1e-3;          ///< Smallest speed of the table over the largest.
+constexpr std::ptrdiff_t kMostOfTable = 260;  ///< Nodes along speeds or roots.
 
 /// A table that is refined along roots and along speeds where it misses the torque.
 FrictionTable friction_table(QuadrantTorques& torque, double force, double speed, bool depends_on_speed, double lead,
@@ -450,7 +450,6 @@ FrictionTable friction_table(QuadrantTorques& torque, double force, double speed
   for (int k = 0; k <= parts; ++k) roots.push_back(least + (most - least) * k / parts);
   // Intervals that are still to be divided.
   std::vector<bool> open_roots(roots.size() - 1, true), open_speeds(speeds.size() - 1, depends_on_speed);
-  open_roots[parts] = false;
   FrictionTable table = table_on(roots, speeds, torque);
   const double largest = std::abs(force * lead) / (2.0 * std::numbers::pi) +
                          std::max(std::ranges::max(table.forward), std::abs(std::ranges::min(table.backward)));
@@ -458,10 +457,9 @@ FrictionTable friction_table(QuadrantTorques& torque, double force, double speed
   const auto refine = [&](bool by_speed) {
     std::vector<bool>& open = by_speed ? open_speeds : open_roots;
     std::vector<double>& at = by_speed ? speeds : roots;
-    const auto has_room = [&] {
-      return at.size() + static_cast<std::size_t>(std::ranges::count(open, true)) <= kMostOfTable;
-    };
-    if (!has_room() || !contains(open, true)) return false;
+    open_roots[static_cast<std::size_t>(std::ranges::upper_bound(roots, 0.0) - roots.begin()) - 1] = false;  // No load.
+    const std::ptrdiff_t parted = std::ranges::count(open, true);
+    if (parted == 0 || std::ssize(at) + parted > kMostOfTable) return false;
     for (std::size_t k = open.size(); k-- > 0;)
       if (open[k])
         at.insert(at.begin() + static_cast<std::ptrdiff_t>(k) + 1,
@@ -469,22 +467,28 @@ FrictionTable friction_table(QuadrantTorques& torque, double force, double speed
     FrictionTable finer = table_on(roots, speeds, torque);
     const std::vector<double> off = missed(table, finer, by_speed);
     std::vector<bool> halves;
-    double of_open = 0.0;
     for (const bool is_open : open) {
-      const double share = is_open ? off[halves.size() + 1] / largest : 0.0;  // At the node between both halves.
-      const bool stays = !(share <= kTorqueTolerance / 8.0);
+      // At the node between both halves.
+      const bool stays = is_open && !(off[halves.size() + 1] <= largest * kTorqueTolerance / 8.0);
       halves.insert(halves.end(), is_open ? 2 : 1, stays);
-      double& worst = stays ? of_open : error;
-      worst = std::max(worst, share);
     }
     open = std::move(halves);
     table = std::move(finer);
-    if (!has_room()) error = std::max(error, of_open);
     return true;
   };
   for (bool more = true; more;) {
     more = refine(false);
     more = refine(true) || more;
+  }
+  const PrsCurves curves = curves_of(table);
+  for (std::size_t k = 0; k < 400; ++k) {  // Places off the nodes, in all quadrants.
+    const std::size_t i = k % open_speeds.size(), j = 7 * k % open_roots.size();
+    const double sign = k / open_speeds.size() % 2 == 0 ? 1.0 : -1.0;
+    const double f = force_of(0.7 * roots[j] + 0.3 * roots[j + 1]), v = sign * (0.7 * speeds[i] + 0.3 * speeds[i + 1]);
+    int beyond = 0;
+    if (roots[j] * roots[j + 1] > 0.0)
+      if (const std::optional<double> found = torque.of(f, v).at(f, v))
+        error = std::max(error, std::abs(*found - prs_torque(&curves, f, v, &beyond)) / largest);
   }
   return table;
 }

@@ -324,12 +324,7 @@ OptimizeInput read_optimize_input(const Source& source) {
   if (item.thread_constraints) aims.read_thread_constraints(own.mechanism);
   aims.read_algorithms();
   aims.read_compromise();
-  std::vector<std::string> varied;
-  for (const VariableItem& variable : item.variables) {
-    varied.push_back(variable.path);
-    for (const LinkedInputItem& linked : variable.companions) varied.push_back(linked.path);
-  }
-  check_load_cases(study.responses, varied, "optimize.variables", root, whole.load_cases, errors);
+  check_load_cases(study.responses, set_paths(item.variables, "optimize.variables"), root, whole.load_cases, errors);
   errors.throw_if_any();
   input.start.study = study;
   return input;

@@ -479,7 +479,7 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
     take_indices(root, factor.path, factor.label);
     for (CompanionItem& companion : factor.companions) take_indices(root, companion.path, companion.label);
   }
-  std::vector<std::string> responses, varied;
+  std::vector<std::string> responses;
   const auto take = [&](std::string& path) { responses.push_back(path = response_path(root, file.load_cases, path)); };
   if (item.responses) std::ranges::for_each(*item.responses, take);
   if (item.envelope) {
@@ -488,11 +488,7 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
       if (point.reach)
         for (Envelope::Target& target : *point.reach) take(target.response);
   }
-  for (const FactorItem& factor : item.factors) {
-    varied.push_back(factor.path);
-    for (const CompanionItem& companion : factor.companions) varied.push_back(companion.path);
-  }
-  check_load_cases(responses, varied, "study.factors", root, file.load_cases, errors);
+  check_load_cases(responses, set_paths(item.factors, "study.factors"), root, file.load_cases, errors);
   return item;
 }
 
@@ -505,20 +501,19 @@ std::string response_path(const Node& root, const std::vector<LoadCaseItem>& loa
   return fmt::format("{}{}{}", kLoadCases, first_case(load_cases, item), path.substr(path.find(']')));
 }
 
-void check_load_cases(const std::vector<std::string>& responses, const std::vector<std::string>& varied,
-                      const std::string& at, const Node& root, const std::vector<LoadCaseItem>& load_cases,
-                      ErrorList& errors) {
+void check_load_cases(const std::vector<std::string>& responses, const std::vector<SetPath>& inputs, const Node& root,
+                      const std::vector<LoadCaseItem>& load_cases, ErrorList& errors) {
   for (const auto i : indices(load_cases))
-    for (const std::string& path : varied) {
+    for (const SetPath& input : inputs) {
       const std::string force = fmt::format("{}{}].axial_force", kLoadCases, i);
       const std::size_t next = first_case(load_cases, i + 1);
-      if (path != force + ".steps" && (path != force || next == first_case(load_cases, i) + 1)) continue;
+      if (input.path != force + ".steps" && (input.path != force || next == first_case(load_cases, i) + 1)) continue;
       for (const std::string& response : responses)
         if (response.starts_with(kLoadCases) && std::strtoul(response.c_str() + kLoadCases.size(), nullptr, 10) >= next)
-          refuse(root, at,
+          refuse(root, input.at,
                  fmt::format("got {}, which changes the number of load cases before that of {}; expected responses of "
                              "load cases whose place stays; put the range last",
-                             shown(path), shown(response)),
+                             shown(input.path), shown(response)),
                  errors);
     }
 }

@@ -2,6 +2,7 @@
 
 #include "prs/input/case_file.h"
 #include "prs/input/document.h"
+#include "prs/input/varied_input.h"
 
 namespace prs::input {
 
@@ -21,10 +22,9 @@ StudyInput read_study_input(const Source& source);
 /// have three points; other paths as they are.
 std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases, const std::string& path);
 
-/// Adds an error at `at` if one of the inputs `varied` changes the number of load cases before that of a response.
-void check_load_cases(const std::vector<std::string>& responses, const std::vector<std::string>& varied,
-                      const std::string& at, const Node& root, const std::vector<LoadCaseItem>& load_cases,
-                      ErrorList& errors);
+/// Adds an error if an input that varies changes the number of load cases before that of a response.
+void check_load_cases(const std::vector<std::string>& responses, const std::vector<SetPath>& inputs, const Node& root,
+                      const std::vector<LoadCaseItem>& load_cases, ErrorList& errors);
 
 /// A design's file, its values not yet checked against each other.
 struct DesignFile {

@@ -151,7 +151,7 @@ void check_preload(const Case& c, Problems& problems) {
     problems.add("preload.load.to", "got {}; expected more than `from`, {}; swap the two", newton(p.load.to),
                  newton(p.load.from));
   if (p.load_case && !warms(c.heat) && std::ranges::none_of(c.load_cases, [&](const LoadCase& load) {
-        return load.name.starts_with(*p.load_case);  // A range `pull` has `pull[0]` and more.
+        return load.name == *p.load_case || load.name.starts_with(*p.load_case + "[");  // `pull[0]` of a range.
       }))
     problems.add("preload.load_case",
                  "got {}; expected the name of a load case; write that of one in the file, or delete the key",

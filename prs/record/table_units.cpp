@@ -47,9 +47,9 @@ ResponseTitle response_title(std::string_view path) {
   constexpr std::pair<std::string_view, std::string_view> kPlaces[] = {
       {"system", "mechanism"}, {"catalogue", "by the catalogue's formula"}, {"weakest_thread", "weakest thread"}};
   // Design measures that estimate what another command computes.
-  constexpr std::string_view kEstimates[] = {"static_safety",    "efficiency", "back_driving_efficiency",
-                                             "l10_revolutions",  "l10_hours",  "l10_distance_km",
-                                             "driving_torque_Nm"};
+  constexpr std::string_view kEstimates[] = {"static_safety",   "efficiency", "back_driving_efficiency",
+                                             "l10_revolutions", "l10_hours",  "l10_travel_km",
+                                             "drive_torque_Nm"};
   const std::size_t measure = path.find("measures.");
   const bool is_estimate = measure != path.npos && contains(kEstimates, path.substr(measure + 9));
   const auto word = [](const auto& words, std::string_view key) {

@@ -101,12 +101,14 @@ PRS_OF_ORDER(stable_sort)
   };
 PRS_OF_RANGE(adjacent_find)
 PRS_OF_RANGE(copy)
+PRS_OF_RANGE(copy_if)
 PRS_OF_RANGE(fill)
 PRS_OF_RANGE(for_each)
 PRS_OF_RANGE(move)
 PRS_OF_RANGE(replace)
 PRS_OF_RANGE(replace_if)
 PRS_OF_RANGE(reverse)
+PRS_OF_RANGE(transform)
 #undef PRS_OF_RANGE
 
 struct minmax_element_fn {
@@ -184,21 +186,6 @@ struct equal_fn {
   template <class A, class B, class F = ranges::equal_to>
   constexpr bool operator()(A&& a, B&& b, F f = {}) const {
     return std::equal(ranges::begin(a), ranges::end(a), ranges::begin(b), ranges::end(b), f);
-  }
-};
-
-struct copy_if_fn {
-  template <class R, class O, class F, class P = std::identity>
-  constexpr void operator()(R&& r, O out, F f, P p = {}) const {
-    std::copy_if(ranges::begin(r), ranges::end(r), out, projected_to(f, p));
-  }
-};
-
-struct transform_fn {
-  template <class R, class O, class F>
-  constexpr void operator()(R&& r, O out, F f) const {
-    std::transform(ranges::begin(r), ranges::end(r), out,
-                   [&](auto&& value) -> decltype(auto) { return std::invoke(f, value); });
   }
 };
 

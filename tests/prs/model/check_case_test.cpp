@@ -458,6 +458,23 @@ TEST(CheckCase, ASpacerMeetsTheFacesOfTheNuts) {
   EXPECT_EQ(paths(check_case(c)), "preload.spacer.inner_diameter");
   c.preload->spacer = Spacer{0.010, 0.030, 0.035};
   EXPECT_EQ(paths(check_case(c)), "preload.spacer.outer_diameter");
+  c.preload->spacer = Spacer{0.010, *c.mechanism.pitch_diameter.screw, 0.046};
+  EXPECT_EQ(paths(check_case(c)), "preload.spacer.inner_diameter");
+}
+
+TEST(CheckCase, APreloadNamesALoadCaseOrARangeOfThem) {
+  Case c = two_nuts();
+  c.load_cases = {{}, {}};
+  c.load_cases[0].name = "push", c.load_cases[1].name = "pull[0]";
+  for (const auto& [name, wrong] : {std::pair{"push", ""},
+                                    {"pull", ""},
+                                    {"pull[0]", ""},
+                                    {"pu", "preload.load_case"},
+                                    {"pus", "preload.load_case"}}) {
+    c.preload->load_case = name;
+    const std::string found = paths(check_case(c));
+    EXPECT_EQ(found.find("preload.load_case") != found.npos, *wrong != 0) << name << ": " << found;
+  }
 }
 
 TEST(CheckCase, APreloadIsHeldSomewhereAndWithinTheThreads) {

@@ -113,6 +113,29 @@ TEST_F(OptimizeCommand, DesignsAreWhatContactSaysOfThem) {
   EXPECT_THAT(text, HasSubstr("deg}  # these vary\n"));
 }
 
+/// The best case reads its history wherever it is written, and keeps its own table of the search beside it.
+TEST_F(OptimizeCommand, TheBestCaseFindsItsHistory) {
+  const fs::path folder = temporary.path() / "case", output = temporary.path() / "out";
+  const std::string lesson = PRS_SOURCE_DIR "/configs/14_flight_spectrum";
+  for (const char* name : {"history.csv", "data/loads.csv"}) {
+    fs::create_directories((folder / name).parent_path());
+    fs::copy_file(lesson + ".csv", folder / name);
+    std::string text = content_of(lesson + ".yaml");
+    text.replace(text.find("14_flight_spectrum.csv  "), 22, name);
+    std::ofstream(folder / "case.yaml") << text << "optimize:\n  command: life\n  population: 8\n  generations: 1\n"
+                                        << "  variables: [{path: mechanism.rollers, from: 8, to: 11}]\n"
+                                        << "  objectives: [{maximize: life.system.l10_hours}]\n";
+    ASSERT_EQ(
+        prs("optimize '" + (folder / "case.yaml").string() + "' --quiet --output '" + output.string() + "'").status, 0);
+    EXPECT_THAT(content_of(output / "history.csv"), StartsWith("design,algorithm,"));
+    const Outcome life = prs("life '" + (output / "best.yaml").string() + "' --json --quiet");
+    ASSERT_EQ(life.status, 0) << life.err;
+    const json chosen = json::parse(content_of(output / "optimize.json"))["compromise"];
+    EXPECT_DOUBLE_EQ(json::parse(life.out)["life"]["system"]["l10_hours"],
+                     chosen["responses"]["life.system.l10_hours"].get<double>());
+  }
+}
+
 TEST_F(OptimizeCommand, FilesDependOnTheSeedNotOnThreads) {
   write(kPressures + "  population: 40\n  generations: 8\n  check: nspso");
   const fs::path one = temporary.path() / "1", three = temporary.path() / "3";

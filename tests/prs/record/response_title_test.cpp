@@ -1,5 +1,6 @@
 #include "prs/record/table_units.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "prs/record/record.h"
@@ -26,6 +27,9 @@ TEST(ResponseTitle, HasTheWordsOfCataloguesThenThePartAndTheThread) {
   EXPECT_EQ(response_title("measures.solved_static_safety").name, "static safety");
   EXPECT_EQ(response_title("measures.static_safety").name, "static safety (estimate)");
   EXPECT_EQ(response_title("load_cases[1].measures.l10_hours").name, "load cases[1] measures L10 in time (estimate)");
+  for (const char* key :
+       {"efficiency", "back_driving_efficiency", "l10_revolutions", "l10_travel_km", "drive_torque_Nm"})
+    EXPECT_TRUE(response_title(fmt::format("measures.{}", key)).name.ends_with(" (estimate)")) << key;
   EXPECT_EQ(response_title("life.static_safety").name, "life static safety");
   EXPECT_EQ(response_title("life.system.l10_hours").name, "life L10 in time, mechanism");
   EXPECT_EQ(response_title("life.catalogue.l10_revolutions").name, "life L10 in turns, by the catalogue's formula");

@@ -125,9 +125,10 @@ TEST(StudyReader, LoadCasesOfResponsesKeepTheirPlace) {
     return error_of(source);
   };
   const std::string first = "load_cases[pull].axial_displacement_um", second = "load_cases[push].axial_displacement_um";
-  EXPECT_THAT(study("load_cases[pull].axial_force.steps", "2, 3", second),
-              HasSubstr("study.factors: got load_cases[0].axial_force.steps, which changes the number of load cases "
-                        "before that of load_cases[3].axial_displacement_um"));
+  EXPECT_THAT(
+      study("load_cases[pull].axial_force.steps", "2, 3", second),
+      HasSubstr("study.factors[0].path: got load_cases[0].axial_force.steps, which changes the number of load cases "
+                "before that of load_cases[3].axial_displacement_um"));
   EXPECT_THAT(study("load_cases[pull].axial_force", "2 kN", second), HasSubstr("changes the number of load cases"));
   EXPECT_EQ(study("load_cases[pull].axial_force.steps", "2, 3", first), "");
   EXPECT_EQ(study("load_cases[push].axial_force.steps", "2, 3", second), "");
