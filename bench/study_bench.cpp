@@ -1,5 +1,5 @@
 // Studies of the whole chain (contact points, load distribution, pressures) on 2 threads: computed
-// alone, and with the journal, study.csv and study.nc written as `prs study --output` does.
+// alone, and with the journal and study.csv written as `prs study --output` does.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>

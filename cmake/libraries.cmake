@@ -31,7 +31,6 @@ endif()
 find_package(Pagmo QUIET)
 find_package(TBB QUIET)
 find_package(Ceres QUIET)
-pkg_check_modules(NETCDF QUIET IMPORTED_TARGET netcdf>=4.9)
 pkg_check_modules(RSVG QUIET IMPORTED_TARGET librsvg-2.0>=2.54)
 find_library(SUNDIALS_LIBRARY sundials_cvode)  # With its vectors and solvers.
 find_library(SUNDIALS_CORE sundials_core)      # Since version 7, which Debian builds with MPI.

@@ -7,9 +7,9 @@ namespace modules {
 
 /// Texts of the message for a missing module.
 struct Name {
-  const char* file;         ///< `prs_netcdf.so`
-  const char* library;      ///< `netCDF`, the library of the module.
-  const char* package;      ///< `libnetcdf-dev`, needed to build the module; it brings the packages needed to load it.
+  const char* file;         ///< `prs_pagmo.so`
+  const char* library;      ///< `pagmo`, the library of the module.
+  const char* package;      ///< `libpagmo-dev`, needed to build the module; it brings the packages needed to load it.
   const char* alternative;  ///< `, or take --threads 1`; empty: no alternative.
 };
 

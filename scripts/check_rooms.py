@@ -34,7 +34,7 @@ CPP = (".h", ".c", ".cpp")
 
 # Sources that show the results of a room with `shown`.
 SHOWN = re.compile(
-    r"_(record|json|table|csv|netcdf|columns|files|figures|pictures|parts|case|analysis|criteria)$"
+    r"_(record|json|table|csv|columns|files|figures|pictures|parts|case|analysis|criteria)$"
 )
 
 

@@ -6,7 +6,7 @@ set -euo pipefail
 
 core="cmake ninja-build g++ pkg-config libeigen3-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev libcli11-dev
   libfmt-dev nlohmann-json3-dev libcsv-dev nettle-dev libxsimd-dev zlib1g-dev"
-full="$core libspectra-dev libtbb-dev libnetcdf-dev librsvg2-dev libpagmo-dev libceres-dev libsundials-dev
+full="$core libspectra-dev libtbb-dev librsvg2-dev libpagmo-dev libceres-dev libsundials-dev
   gcc-mingw-w64-x86-64-win32"
 web="$core libspectra-dev emscripten libfast-float-dev xz-utils $(command -v npm >/dev/null || echo nodejs npm)"
 test="$full $web python3-dev python3-venv libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema strace

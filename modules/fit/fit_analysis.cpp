@@ -7,6 +7,7 @@
 #include "prs/input/force_history.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/text.h"
 
 namespace prs {

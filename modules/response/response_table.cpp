@@ -1,6 +1,7 @@
 #include "modules/response/response_table.h"
 
 #include "prs/loads/case_table.h"
+#include "prs/record/table_layout.h"
 
 namespace prs {
 namespace {

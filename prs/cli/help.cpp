@@ -21,7 +21,7 @@ constexpr std::pair<const char*, const char*> kExitStatuses[] = {
     {"0", "done"},
     {"1", "failed, or a result could not be written"},
     {"2", "the input or the command line is wrong"},
-    {"3", "a load case, a study or a fit did not converge, or no design fulfils the constraints"},
+    {"3", "a load case, a study or a fit did not converge, or no design fulfils the constraints of `optimize`"},
     {"4", "a reference lies beyond its tolerance (`compare`)"},
     {"129", "ended by SIGHUP, as when a terminal closes"},
     {"130", "interrupted by Ctrl-C"},

@@ -7,6 +7,7 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/record/table_layout.h"
 #include "prs/run/analyses.h"
 #include "prs/run/document_schema.h"
 #include "prs/run/response_lists.h"

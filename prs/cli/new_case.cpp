@@ -26,12 +26,18 @@ std::string new_text(const NewOptions& options) {
 
 std::string content_of_file(const fs::path& file) { return input::load_source(file.string(), {}).text; }
 
-/// Copies the files that the lesson reads.
+/// Copies the files that the lesson reads, except those that stand there already, as after another lesson.
 void copy_companions(const Lesson& lesson, const fs::path& file) {
-  const std::vector<std::string> names = companions(input::load_source(lesson.file.string(), {}));
-  for (const std::string& name : names) refuse_taken(OutputOptions{}, file.parent_path() / name);
-  for (const std::string& name : names)
-    write_case(file.parent_path() / name, content_of_file(lesson.file.parent_path() / name));
+  std::vector<std::pair<fs::path, std::string>> copies;
+  for (const std::string& name : companions(input::load_source(lesson.file.string(), {}))) {
+    const fs::path copy = file.parent_path() / name;
+    std::string content = content_of_file(lesson.file.parent_path() / name);
+    if (fs::is_regular_file(copy) && fs::file_size(copy) == content.size() && content_of_file(copy) == content)
+      continue;
+    refuse_taken(OutputOptions{}, copy);
+    copies.emplace_back(copy, std::move(content));
+  }
+  for (const auto& [copy, content] : copies) write_case(copy, content);
 }
 
 ConfigurationQuery query_of(const ConfigurationOptions& o) {

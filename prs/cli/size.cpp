@@ -21,6 +21,8 @@ std::vector<std::pair<std::size_t, std::string>> written_of(const Options& optio
                   "screw.yaml`",
                   input::shown(rank));
     refuse_taken(options, file);
+    if (std::ranges::count(options.write, file) > 1)
+      fail_option("--write", "got {} twice; expected a file for each candidate; give another name", input::shown(file));
     all.emplace_back(*number, file);
   }
   return all;

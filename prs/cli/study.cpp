@@ -34,14 +34,13 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
   const DocumentInfo info = document_info(in.source, Command::study);
   StudyResult result{study, {}, 0, 0, 0, {}};
   StudyAnalysis analysis(study);
-  const std::string absent = write_rows(
-      rows, study, info, options.output ? &*options.output : nullptr, threads,
+  write_rows(
+      rows, study, options.output ? &*options.output : nullptr, threads,
       [&](const RowBlock& block, std::span<const double> inputs) {
         add(result, block);
         analysis.add(block, inputs);
       },
       options.csv);
-  if (!absent.empty()) note(options, "prs: " + absent);
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, engine);
   const Delivery delivery{.file = "study.json",

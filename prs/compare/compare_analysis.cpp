@@ -8,6 +8,7 @@
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/reference/reference_reader.h"
 #include "prs/text.h"
 

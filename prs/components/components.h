@@ -57,40 +57,4 @@ struct SearchModule : modules::Module {
   double (*hypervolume)(const Points& points, const std::vector<double>& corner);
 };
 
-/// A netCDF-4 file of columns of the same length. Columns and attributes come before numbers. All members throw
-/// std::system_error or std::runtime_error that name the file. Without `close` the file is incomplete.
-class ColumnFile {
- public:
-  enum class Type { real, integer, byte };
-
-  /// Integers have the type of the column; a list of one is a scalar.
-  using Attribute = std::variant<std::string, std::vector<std::string>, double, unsigned long long, std::vector<int>>;
-
-  /// The file itself, in place of a column's number.
-  static constexpr int kFile = -1;
-
-  ColumnFile() = default;
-  virtual ~ColumnFile() = default;
-  ColumnFile(const ColumnFile&) = delete;
-  ColumnFile& operator=(const ColumnFile&) = delete;
-
-  virtual void set_length(const std::string& dimension, std::size_t length) = 0;
-  /// A number in each row or, over a second dimension, `entries` of them.
-  virtual int add_column(const std::string& name, Type type, const std::string& dimension = {},
-                         std::size_t entries = 1) = 0;
-  virtual void describe(int column, const char* attribute, const Attribute& value) = 0;
-
-  /// Writes from row `first` on, in the type of the column.
-  virtual void write(int column, std::size_t first, std::span<const double> values) = 0;
-
-  virtual void close() = 0;
-};
-
-struct NetcdfModule : modules::Module {
-  static constexpr modules::Name kName{"prs_netcdf.so", "netCDF", "libnetcdf-dev", ""};
-
-  /// Creates a file at `path`; messages name it `name`.
-  std::unique_ptr<ColumnFile> (*create)(const std::filesystem::path& path, const std::filesystem::path& name);
-};
-
 }  // namespace prs

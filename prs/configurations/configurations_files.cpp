@@ -6,6 +6,7 @@
 #include "prs/input/units.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
 

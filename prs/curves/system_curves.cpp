@@ -515,14 +515,17 @@ Running running(const Conditions& c, const Contacts& contacts, const LoadCase& p
   return warm;
 }
 
-/// Reason why there is no friction in the torque; none if there is.
-std::optional<Warning> lacking_friction(const Case& c, const LoadCase& pattern) {
+/// Reason why there is no friction in the torque up to a speed; none if there is.
+std::optional<Warning> lacking_friction(const Case& c, const LoadCase& pattern, double speed) {
   Case one = c;
   one.load_cases = {pattern};
   const std::vector<Problem> problems = missing(one, Command::slip);
-  if (problems.empty()) return {};
-  return Warning{problems.front().path, "no_friction",
-                 fmt::format("{}; the torque is that of a screw without friction", problems.front().message)};
+  constexpr std::string_view kWithout = "the torque is that of a screw without friction";
+  if (!problems.empty())
+    return Warning{problems.front().path, "no_friction", fmt::format("{}; {}", problems.front().message, kWithout)};
+  if (speed > 0.0) return {};
+  return Warning{"operation.speed", "no_friction",
+                 fmt::format("got 0 rpm, the largest speed of the case; {}", kWithout), "state a speed other than 0"};
 }
 
 double largest_speed(const Case& c) {
@@ -553,7 +556,8 @@ std::optional<Warning> torque_of_preloaded(const Case& c, const LoadCase& patter
 void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force, const CurveOptions& options,
                   SolvedPoints& points, SystemCurves& curves) {
   if (!pattern.speed && !c.operation && options.speed) pattern.speed = options.speed;
-  if (std::optional<Warning> lacking = lacking_friction(c, pattern)) {
+  const double speed = options.speed.value_or(largest_speed(c));
+  if (std::optional<Warning> lacking = lacking_friction(c, pattern, speed)) {
     curves.warnings.push_back(std::move(*lacking));
     if (c.preload && options.load_case)
       curves.warnings.push_back({"preload", "idle_load_case",
@@ -568,9 +572,8 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
       curves.warnings.push_back(std::move(*note));
   const Running parts = running(c, contacts, pattern);
   QuadrantTorques torque(parts.conditions, contacts, pattern, parts.oils, points);
-  curves.friction =
-      friction_table(torque, force, options.speed.value_or(largest_speed(c)),
-                     c.friction->facts().changes_with_speed || c.carrier.is_oiled(), curves.lead, curves.torque_error);
+  curves.friction = friction_table(torque, force, speed, c.friction->facts().changes_with_speed || c.carrier.is_oiled(),
+                                   curves.lead, curves.torque_error);
 }
 
 /// Load case with the conditions: position, misalignment, speed. With `preload` and no chosen load case, its position

@@ -4,6 +4,11 @@
 
 namespace prs::input {
 
+namespace {
+/// Deviation, offset or play, which are small against the parts.
+constexpr Quantity kSmallLength{unit::length, unbounded, "10 um"};
+}  // namespace
+
 void alternatives(Choices& io, Mechanism::Type& t) {
   for (const Mechanism::Type type : contact::kMechanismTypes)
     io(contact::facts_of(type).name, t, type, contact::facts_of(type).meaning);
@@ -35,7 +40,7 @@ void alternatives(Choices& io, Guidance& g) {
   io("outer_node", g.kind, Guidance::Kind::outer_node, "no radial displacement at the two outermost nodes");
   io("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness, Quantity{unit::stiffness, {.least = 1.0}},
      "a radial spring of this stiffness at both nodes of each end element", Keys{[&g](const Fields& further) {
-       further("clearance", g.clearance, Quantity{unit::length, not_negative},
+       further("clearance", g.clearance, Quantity{unit::length, not_negative, "10 um"},
                "Radial displacement of a node up to which its spring takes no force");
      }});
 }
@@ -324,7 +329,7 @@ void fields(const Fields& io, Mechanism& m) {
      }},
      required, "Pitch diameters");
   io("centre_distance", m.centre_distance, diameter, in_simulation, "Distance of the roller axes from the screw axis");
-  io("backlash", m.backlash, Each{Quantity{unit::length}, optional}, in_design, "Axial play at each interface");
+  io("backlash", m.backlash, Each{kSmallLength, optional}, in_design, "Axial play at each interface");
   io("profile", m.profile, Each{Choice{}, required}, required, "Thread profile of the material");
   io("thread", m.thread, Each{Block{}, optional},
      "Radial extent of truncated threads; the nut's addendum points inwards");
@@ -349,7 +354,7 @@ void fields(const Fields& io, Bearing& b) {
   io("position", b.position, Quantity{unit::length}, required, "Axial position, counted as positions on the nut");
   io("lateral", b.lateral, Held{unit::stiffness, true}, "Against displacement");
   io("tilt", b.tilt, Held{unit::tilt_stiffness, true}, "Against rotation");
-  io("offset", b.offset, lateral(b.offset, Quantity{unit::length}), "Displacement of its seat");
+  io("offset", b.offset, lateral(b.offset, kSmallLength), "Displacement of its seat");
   io("angle", b.angle, lateral(b.angle, Quantity{unit::angle}), "Rotation of its seat");
 }
 
@@ -463,21 +468,20 @@ void fields(const Fields& io, Material& m) {
 }
 
 void fields(const Fields& io, PitchWave& w) {
-  io("amplitude", w.amplitude, Quantity{unit::length}, required, "Largest error");
+  io("amplitude", w.amplitude, kSmallLength, required, "Largest error");
   io("period", w.period, Number{positive, "7"}, required, "Threads in one period");
   io("phase", w.phase, Quantity{unit::angle}, "At the first contact");
 }
 
 void fields(const Fields& io, PitchError& e) {
-  const Quantity error{unit::length};
-  io("linear", e.linear, error, "Growing from 0 at the first contact to this at the last");
+  io("linear", e.linear, kSmallLength, "Growing from 0 at the first contact to this at the last");
   io("periodic", e.periodic, "A sine over the threads");
   OneOrMany list{e.list, e.lists};
-  io("list", list, ForEachRoller{List{error}}, "One value a contact");
+  io("list", list, ForEachRoller{List{kSmallLength}}, "One value a contact");
 }
 
 void fields(const Fields& io, EndRelief& r) {
-  io("drop", r.drop, Quantity{unit::length, not_negative}, required,
+  io("drop", r.drop, Quantity{unit::length, not_negative, "20 um"}, required,
      "Drop of the roller's pitch radius at the outermost contacts");
   io("threads", r.threads, Whole{1, 10'000}, required, "Contacts at each end over which it fades to nothing");
 }
@@ -492,24 +496,24 @@ auto around(TurningError& e, const Kind& kind) {
 
 void fields(const Fields& io, LeadHarmonic& h) {
   io("order", h.order, Whole{1, 1000}, required, "Periods in a turn");
-  io("amplitude", h.amplitude, Quantity{unit::length}, "Of the sine");
+  io("amplitude", h.amplitude, kSmallLength, "Of the sine");
   io("phase", h.phase, Quantity{unit::angle}, "Of the sine");
 }
 
 void fields(const Fields& io, LeadWave& w) {
   io("length", w.length, Quantity{unit::length, positive, "40 mm"}, required, "Of a period");
-  io("amplitude", w.amplitude, Quantity{unit::length}, "Of the sine");
+  io("amplitude", w.amplitude, kSmallLength, "Of the sine");
   io("phase", w.phase, Quantity{unit::angle}, "Of the sine");
 }
 
 void fields(const Fields& io, MeasuredLead& m) {
-  const List lengths{Quantity{unit::length}, 2};
-  io("at", m.at, lengths, required, "Places along the part, rising; 0 at the first contact");
-  io("deviation", m.deviation, lengths, required, "One at each place, straight between");
+  const List places{Quantity{unit::length}, 2}, deviations{kSmallLength, 2};
+  io("at", m.at, places, required, "Places along the part, rising; 0 at the first contact");
+  io("deviation", m.deviation, deviations, required, "One at each place, straight between");
 }
 
 void fields(const Fields& io, TurningThread& t) {
-  io("eccentricity", t.eccentricity, Keys{around(t.eccentricity, Quantity{unit::length})},
+  io("eccentricity", t.eccentricity, Keys{around(t.eccentricity, kSmallLength)},
      "Of the thread's axis against journals or seat");
   io("wobble", t, Keys{[&](const Fields& keys) {
        around(t.wobble, Quantity{unit::angle})(keys);
@@ -519,7 +523,7 @@ void fields(const Fields& io, TurningThread& t) {
      }},
      "Tilt of the thread's axis");
   io("lead", t, Keys{[&](const Fields& keys) {
-       keys("per_300_mm", t.per_300_mm, Quantity{unit::length}, "Proportional to length, > 0 threads too far apart");
+       keys("per_300_mm", t.per_300_mm, kSmallLength, "Proportional to length, > 0 threads too far apart");
        keys("harmonics", t.harmonics, "Over a turn, each turn alike");
        keys("waves", t.waves, "Along the part");
        keys("measured", t.measured, "As measured along the part");
@@ -544,7 +548,7 @@ auto around(TurningRollers::Error& e, const Kind& kind) {
 
 void fields(const Fields& io, TurningRollers::Harmonic& h) {
   io("order", h.order, Whole{1, 1000}, required, "Periods in a turn");
-  for_each_roller(io, "amplitude", h.amplitude, Quantity{unit::length}, "Of the sine");
+  for_each_roller(io, "amplitude", h.amplitude, kSmallLength, "Of the sine");
   for_each_roller(io, "phase", h.phase, Quantity{unit::angle}, "Of the sine");
 }
 
@@ -552,7 +556,7 @@ void fields(const Fields& io, Turning& t) {
   io("screw", t.thread.screw, "Of the screw");
   io("nut", t.thread.nut, "Of the nut");
   io("roller", t.rollers, Keys{[&](const Fields& keys) {
-       keys("eccentricity", t.rollers.eccentricity, around(t.rollers.eccentricity, Quantity{unit::length}),
+       keys("eccentricity", t.rollers.eccentricity, around(t.rollers.eccentricity, kSmallLength),
             "Of the thread's axis against the heads");
        keys("wobble", t.rollers.wobble, around(t.rollers.wobble, Quantity{unit::angle}),
             "Tilt of the thread's axis about the roller's middle");
@@ -568,22 +572,20 @@ void fields(const Fields& io, Deviations& d) {
   io("pitch_error", d.pitch_error, Each{Block{}, optional},
      "Axial position error of the threads, > 0 away from the loaded end of the screw");
   OneOrMany diameter{d.roller_diameter, d.roller_diameters};
-  io("roller_diameter", diameter, ForEachRoller{Quantity{unit::length}},
-     "Pitch diameter of the rollers above the nominal one");
-  io("crowning", d.crowning, Quantity{unit::length, not_negative},
+  io("roller_diameter", diameter, ForEachRoller{kSmallLength}, "Pitch diameter of the rollers above the nominal one");
+  io("crowning", d.crowning, Quantity{unit::length, not_negative, "10 um"},
      "Parabolic drop of the roller's pitch radius at first and last contact");
   io("end_relief", d.end_relief, "Straight taper at both ends");
   io("temperature", d.temperature, OneOrEach{temperature}, "Of the parts, uniform in each");
   io("reference_temperature", d.reference_temperature, temperature, "At which the nominal geometry holds");
-  const List offsets{Quantity{unit::length}};
+  const List offsets{kSmallLength};
   io("roller_position", d.roller_position, OneOrEnds{offsets},
      "Of each roller in its rings, > 0 outwards; `mechanism: full`");
   io("missing_rollers", d.missing_rollers, List{Whole{1, 1000}}, "Their numbers; `mechanism: full`");
   io("index_error", d.index_error, Each{offsets, optional}, "Axial position error of each start; `mechanism: full`");
   io("thread_eccentricity", d.thread_eccentricity, Keys{[&](const Fields& side) {
-       const Quantity length{unit::length};
-       side("screw", d.thread_eccentricity.screw, lateral(d.thread_eccentricity.screw, length), "Of the screw");
-       side("nut", d.thread_eccentricity.nut, lateral(d.thread_eccentricity.nut, length), "Of the nut");
+       side("screw", d.thread_eccentricity.screw, lateral(d.thread_eccentricity.screw, kSmallLength), "Of the screw");
+       side("nut", d.thread_eccentricity.nut, lateral(d.thread_eccentricity.nut, kSmallLength), "Of the nut");
      }},
      "Of the thread against the axis of its body; `mechanism: full`");
   io("turning", d.turning, "Errors that turn with their part; `mechanism: full`");
@@ -705,7 +707,7 @@ void fields(const Fields& io, Preload& p) {
   io("interference", p.interference, length, optional_only_if(!p.force, "in place of `force`"),
      "Single nut: pitch diameter of the rollers above the one that just fills the grooves; "
      "double nut: length of the spacer above the one that just touches");
-  io("backlash", p.backlash, Quantity{unit::length, not_negative},
+  io("backlash", p.backlash, Quantity{unit::length, not_negative, "20 um"},
      required_only_if(!p.force && !p.interference, "in place of `force` or `interference`"),
      "Axial play instead of preload");
   io("position", p.position, Quantity{unit::length}, required,
@@ -932,7 +934,7 @@ void alternatives(Choices& io, HeadFriction& f) {
 void fields(const Fields& io, HeadFriction::Mixed& m) {
   io("boundary", m.boundary, Number{Bounds{.least = 0.0, .greatest = 1.0}, "0.1"}, required,
      "Coefficient of friction where head and hole touch");
-  io("roughness", m.roughness, Quantity{unit::length, positive}, required,
+  io("roughness", m.roughness, Quantity{unit::length, positive, "0.5 um"}, required,
      "Composite rms roughness Rq of head and hole");
   io("exponent", m.exponent, Number{positive, "2"},
      "Of (1 + film over roughness)^-exponent, the share of the load where they touch");
@@ -944,7 +946,8 @@ void fields(const Fields& io, HeadBearing& b) {
   const Presence of_film = required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
   io("length", b.length, length, of_film, "Axial length of one head's bearing");
   io("diameter", b.diameter, length, required, "Diameter of the roller's head");
-  io("radial_clearance", b.radial_clearance, length, of_film, "Radius of the hole less that of the head");
+  io("radial_clearance", b.radial_clearance, Quantity{unit::length, positive, "20 um"}, of_film,
+     "Radius of the hole less that of the head");
 }
 
 void fields(const Fields& io, Carrier& c) {
@@ -1593,7 +1596,7 @@ void fields(const Fields& io, ResponseInput::Shaft& s) {
 void fields(const Fields& io, ResponseInput::Start& s) {
   io("position", s.position, Quantity{unit::length}, "Of the load");
   io("speed", s.speed, Quantity{unit::travel_speed}, "Of the load, and of the motor over the lead");
-  io("deflection", s.deflection, Quantity{unit::length}, "Of the screw; that of the external force by default");
+  io("deflection", s.deflection, kSmallLength, "Of the screw; that of the external force by default");
   io("angle", s.angle, Quantity{unit::angle, unbounded, "60 deg"}, "Between base and arm of a lever, at `position`");
 }
 
@@ -1656,7 +1659,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("measures", c.measures, "Further inputs of the design measures");
   io("bearings", c.bearings, "At the ends of the shaft, for their life and the stiffness of the axis");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
-  io("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}},
+  io("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um, "0.4 um"}},
      "Rms roughness Rq of the flanks, for the film ratio");
   io("lubricant", c.lubricant, "The oil, or the base oil of the grease");
   io("friction", c.friction, ChoiceUnder{"model"}, "Law of friction");

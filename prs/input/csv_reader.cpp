@@ -223,9 +223,18 @@ struct CsvReader::Parts {
     return columns;
   }
 
-  /// Skips empty lines and comments.
+  /// Skips empty lines, comments and the line in which a spreadsheet names its separator.
   void skip_to_row() {
-    while (next < text.size() && (text[next] == '#' || is_blank(line()))) next += line().size();
+    const auto names_separator = [&] { return !any_row && line().starts_with("sep="); };
+    while (next < text.size() && (text[next] == '#' || is_blank(line()) || names_separator())) next += line().size();
+  }
+
+  /// Takes the fields of the row without empty ones beyond the columns; false if nothing is left.
+  bool take_fields() {
+    parser.get_fields(fields);
+    while (fields.size() > most_fields && fields.back().empty()) fields.pop_back();
+    if (most_fields == 0) most_fields = fields.size();
+    return std::ranges::any_of(fields, [](std::string_view field) { return !field.empty(); });
   }
 
   void read_row() {
@@ -261,6 +270,7 @@ struct CsvReader::Parts {
   std::size_t next;     ///< Offset of the next line.
   std::size_t row = 0;  ///< Offset at which the row begins.
   bool any_row = false;
+  std::size_t most_fields = 0;  ///< Number of fields of the first row.
   char separator;
   std::vector<bool> decimal_commas;  ///< Flags by column; empty: no column has decimal commas.
   FieldParser parser;
@@ -272,11 +282,12 @@ CsvReader::CsvReader(std::string_view text) : parts_(std::make_unique<Parts>(tex
 CsvReader::~CsvReader() = default;
 
 bool CsvReader::next() {
-  parts_->skip_to_row();
-  parts_->row = parts_->next;
-  if (parts_->next == parts_->text.size()) return false;
-  parts_->read_row();
-  parts_->parser.get_fields(parts_->fields);
+  do {
+    parts_->skip_to_row();
+    parts_->row = parts_->next;
+    if (parts_->next == parts_->text.size()) return false;
+    parts_->read_row();
+  } while (!parts_->take_fields());
   const std::vector<bool>& columns = parts_->decimal_commas;
   if (columns.empty()) return true;
   parts_->numbers.resize(parts_->fields.size());

@@ -546,8 +546,8 @@ Node read_document(const Source& source, ErrorList& errors) {
   std::optional<Node> root = parse_yaml(source.text, std::nullopt, "", errors);
   if (!root)
     errors.fail({}, "",
-                "got an empty file; expected a map with the key `mechanism`; `prs new FILE` "
-                "writes one to start from");
+                "got an empty file; expected a case, with `mechanism`, or for `prs size` a requirement, with `motion`; "
+                "`prs new FILE` writes a case to start from, and lesson 32 is a requirement");
   for (const auto i : indices(source.overrides)) apply_override(*root, source, i, errors);
   return std::move(*root);
 }

@@ -552,6 +552,7 @@ constexpr UsualValue kUsual[] = {
     {"life.dynamic_capacity", "500 N", "10 MN", "catalogues have 5 kN to 2 MN"},
     {"life.static_capacity", "500 N", "10 MN", "catalogues have 5 kN to 3 MN"},
     {"preload.force", "", "1 MN", "some 5 % of the dynamic capacity"},
+    {"preload.lost_motion_load", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     {"preload.load.from", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     {"preload.load.to", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     // n d of 150,000 mm/min is 37,500 rpm of the smallest screw.
@@ -589,6 +590,8 @@ constexpr UsualValue kUsual[] = {
     {"heat.conductance.rollers_ambient", "", "1000 W/K", "none, in a closed nut"},
     {"heat.specific_heat", "100 J/(kg K)", "3000 J/(kg K)", "steel has 460 J/(kg K)"},
     {"carrier.roller_torque", "", "50 N m", "some mN m"},
+    {"structure.masses.mass", "", "100 t", "up to some tonnes"},
+    {"response.load.mass", "", "10000 t", "up to some hundred tonnes"},
     {"measures.friction_coefficient", "0.001", "0.3", "catalogues have 0.01"},
     {"measures.yield_strength", "100 MPa", "4 GPa", "steel has 300 MPa to 2 GPa"},
     {"measures.system.shaft.length", "5 mm", "20 m", "ten to a hundred screw diameters"},

@@ -142,9 +142,26 @@ class AimReader {
       const auto add = [&](const char* key, Constraint::Sense sense) {
         if (const std::optional<Limit> limit = limit_at(fmt::format("{}.{}", at, key)))
           input_.optimization.constraints.push_back({item.name.value_or(item.response), index, sense, *limit});
+        refuse_contradiction(fmt::format("{}.{}", at, key));
       };
       if (item.at_least) add("at_least", Constraint::Sense::at_least);
       if (item.at_most) add("at_most", Constraint::Sense::at_most);
+    }
+  }
+
+  /// Refuses the last constraint if no number meets it and one before.
+  void refuse_contradiction(const std::string& at) {
+    if (input_.optimization.constraints.empty()) return;
+    const Constraint& last = input_.optimization.constraints.back();
+    for (const Constraint& before : input_.optimization.constraints) {
+      if (before.response != last.response || before.sense == last.sense) continue;
+      if (before.limit.kind != Limit::Kind::number || last.limit.kind != Limit::Kind::number) continue;
+      const bool above = last.sense == Constraint::Sense::at_least;
+      const double room = above ? before.limit.value - last.limit.value : last.limit.value - before.limit.value;
+      if (room < 0.0)
+        return refuse(at, fmt::format("got {0:.10g} beside {1} {2:.10g}; expected limits between which a design can "
+                                      "be; exchange or widen them",
+                                      last.limit.value, above ? "at_most" : "at_least", before.limit.value));
     }
   }
 

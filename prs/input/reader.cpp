@@ -94,8 +94,12 @@ Wanted wanted(const ChoiceValue& choice) {
   return {what, std::string(names.words[0])};
 }
 Wanted wanted(const ChoiceUnderKey& under) {
-  const Wanted choice = wanted(under.choice);
-  return {choice.what, fmt::format("{{{}: {}}}", under.key, choice.example)};
+  const ChoiceNames names(under.choice);
+  std::string what;
+  for (std::string_view word : names.words)
+    what += fmt::format("{}{{{}: {}}}", what.empty() ? "" : " | ", under.key, word);
+  for (std::string_view key : names.keys) what += fmt::format(" | {{{}: ..}}", key);
+  return {what, fmt::format("{{{}: {}}}", under.key, wanted(under.choice).example)};
 }
 
 /// The required keys, as an example.
@@ -168,7 +172,7 @@ void read(const Written& w, const Value& value);
 
 void read(const Written& w, double& value, const Quantity& q) {
   if (w.node.kind != Node::Kind::scalar || is_wrong_fraction(w.node.text, q)) return w.refuse(wanted(q));
-  const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension);
+  const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension, q.example);
   if (!parsed.value || !q.bounds.contain(*parsed.value)) return w.refuse(wanted(q), parsed.hint);
   value = *parsed.value;
 }
@@ -300,8 +304,8 @@ bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
 void read(const Written& w, const ChoiceUnderKey& under) {
   const bool bare =
       w.node.kind == Node::Kind::map && w.node.children.size() == 1 && w.node.children[0].key != under.key;
-  if (bare) return read(w, under.choice);
-  if (w.node.kind != Node::Kind::map) return w.refuse(wanted(under));
+  if (bare && contains(ChoiceNames(under.choice).keys, w.node.children[0].key)) return read(w, under.choice);
+  if (bare || w.node.kind != Node::Kind::map) return w.refuse(wanted(under));
   if (!refuse_second_choice(w, under)) read(w, under.map);
 }
 

@@ -27,7 +27,7 @@ Json schema_of(const Quantity& q) {
   return {{"type", "string"},
           {"pattern", quantity_pattern(bounds, q.dimension)},
           {"description", fmt::format("In {}{}{}", unit_list(q.dimension), limits.empty() ? "" : ";", limits)},
-          {"examples", Json::array({q.dimension.example})}};
+          {"examples", Json::array({q.example.empty() ? q.dimension.example : q.example})}};
 }
 
 Json schema_of(const EitherQuantity& kind) {

@@ -400,8 +400,8 @@ bool zero_depends_on_unit(const Dimension& dimension) {
 }
 
 /// The printed unit or that of the example, whichever brings a number nearer to the example.
-std::string_view likely_unit(double number, const Dimension& dimension) {
-  const auto example = split_unit(dimension.example);
+std::string_view likely_unit(double number, const Dimension& dimension, std::string_view typical) {
+  const auto example = split_unit(typical.empty() ? dimension.example : typical);
   const Unit &printed = *find_unit(dimension.canonical, dimension), &common = *find_unit(example->unit, dimension);
   const double size = *to_si(example->number, common);
   const auto distance = [&](const Unit& unit) {
@@ -410,7 +410,7 @@ std::string_view likely_unit(double number, const Dimension& dimension) {
   return distance(common) < distance(printed) ? example->unit : dimension.canonical;
 }
 
-ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension) {
+ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension, std::string_view example) {
   const Head head = split_number(text);
   if (!head.number) return {std::nullopt, names_no_number(text) ? "NaN and infinity are no values" : ""};
   if (head.rest.empty()) {
@@ -418,7 +418,7 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
     return {std::nullopt,
             fmt::format("write the unit, for example `{} {}` (units: {})",
                         fraction ? fmt::format("{:g}", 100.0 * *head.number) : std::string(text.substr(0, 40)),
-                        likely_unit(*head.number, dimension), unit_list(dimension))};
+                        likely_unit(*head.number, dimension, example), unit_list(dimension))};
   }
   if (head.rest.starts_with(','))
     return {std::nullopt, "write the decimal mark as a point, without thousands separators"};

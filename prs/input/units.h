@@ -118,8 +118,9 @@ struct ParsedQuantity {
 
 /// `45 kN` -> 45000. The whole text must be a decimal number, for inches and feet also one with a fraction (`1 1/4
 /// in`), and a unit of the dimension; NaN, infinities and magnitudes outside 1e-30 .. 1e30 (SI) are refused, and so are
-/// forces and stiffnesses whose point may separate thousands: `20.000 N`. Independent of the locale.
-ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension);
+/// forces and stiffnesses whose point may separate thousands: `20.000 N`. Independent of the locale. By a typical
+/// value the hint names the likeliest unit of a bare number, by default the dimension's.
+ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension, std::string_view example = {});
 
 /// The value [SI] in the canonical unit, with the fewest digits that read back to the same value.
 std::string format_quantity(double value, const Dimension& dimension);

@@ -5,7 +5,7 @@
 #include "prs/life/life_record.h"
 #include "prs/life/load_history.h"
 #include "prs/loads/load_criteria.h"
-#include "prs/record/table_units.h"
+#include "prs/record/table_layout.h"
 
 namespace prs {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "prs/indices.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_layout.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -8,6 +8,7 @@
 #include "prs/loads/load_record.h"
 #include "prs/loads/mechanism_figures.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/text.h"
 
 namespace prs {

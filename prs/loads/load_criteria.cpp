@@ -5,7 +5,7 @@
 #include "prs/indices.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
-#include "prs/record/table_units.h"
+#include "prs/record/table_layout.h"
 
 namespace prs {
 namespace {

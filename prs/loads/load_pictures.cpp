@@ -11,6 +11,7 @@
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
 #include "prs/loads/motion_figures.h"
+#include "prs/record/table_layout.h"
 #include "prs/record/table_units.h"
 
 namespace prs {

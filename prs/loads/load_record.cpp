@@ -141,8 +141,7 @@ constexpr auto side_of_flank = of<[](const FlankOf& f) {
   const InterfaceLoads& loads = (*r.threads)[i];
   const std::vector<double>* power = r.slip && r.slip->converged() ? &other.power : nullptr;
   if (power && f.named) {
-    const bool second = r.slip->second_nut && r.load_case.direction == Direction::tension;
-    power = &(second ? *r.slip->second_nut : *r.slip).threads[i].power;
+    power = &r.slip->of_nut_that_carries(r.load_case).threads[i].power;
   }
   return f.named ? FlankSide{&loads.normal_load, &loads.axial_load, power, r.other_flank->rollers}
                  : FlankSide{&other.normal_load, &other.axial_load, power, r.other_flank->rollers};

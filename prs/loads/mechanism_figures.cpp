@@ -4,6 +4,7 @@
 #include "prs/loads/contact_figures.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_layout.h"
 #include "prs/record/table_units.h"
 
 namespace prs {

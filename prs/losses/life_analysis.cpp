@@ -9,6 +9,7 @@
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/text.h"
 
 namespace prs {

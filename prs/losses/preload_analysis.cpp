@@ -6,6 +6,7 @@
 #include "prs/loads/load_analysis.h"
 #include "prs/preload/preload_record.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 
 namespace prs {
 namespace {

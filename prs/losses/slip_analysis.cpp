@@ -69,7 +69,7 @@ std::vector<OutputFile> slip_files(const Result& result, const CsvStyle& style) 
 }
 
 bool have_slip(const Result& r) {
-  const auto answered = [](const LoadCaseResult& load) { return has_slip(load) || is_held(load); };
+  const auto answered = [](const LoadCaseResult& load) { return load.slip && load.slip->has_answer(); };
   return all_converged(r) && std::ranges::all_of(r.load_cases, answered) &&
          (!r.heat_cycle || r.heat_cycle->converged());
 }
@@ -239,6 +239,7 @@ constexpr Quantity<HottestThread> kHottestThread[] = {
     {"power_W", of<&HottestThread::power>, "power that friction takes there"},
     {"power_density_W_per_mm2", of<&HottestThread::power_density>, "power over its ellipse"},
     {"roller", of<&HottestThread::roller>, "from 1; of a full mechanism"},
+    {"of_nut", of<&HottestThread::of_nut>, "1 | 2, of a double nut"},
 };
 
 constexpr Quantity<EqualShareSlip> kEqualShares[] = {
@@ -277,7 +278,7 @@ constexpr auto threads = found<[](const SlipResult& slip) -> const InterfaceSlip
 /// Quantities of one nut.
 template <class Owner>
 constexpr Quantity<Owner> kSlipOf[] = {
-    {"converged", of<&SlipResult::converged>, "whether there is an answer"},
+    {"converged", of<&SlipResult::has_answer>, "whether there is an answer: a slip ratio, or at rest `holding`"},
     {"status", of<&SlipResult::status>, "how the search for the slip ratio ended"},
     {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "", Reach::document},
     {"relative_residue", of<&SlipResult::relative_residue>, "moment on a roller over radius and normal load",
@@ -372,9 +373,18 @@ std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
   const std::optional<double> density = entry_if_any(threads.power_density, thread);
   if (!density) return std::nullopt;
   const auto row = static_cast<std::size_t>(threads.threads_per_roller);
-  return HottestThread{slip.hottest.interface, (row ? thread % row : thread) + 1,
-                       row ? std::optional(thread / row + 1) : std::nullopt, entry_if_any(threads.power, thread),
-                       *density};
+  HottestThread hottest{slip.hottest.interface,
+                        (row ? thread % row : thread) + 1,
+                        row ? std::optional(thread / row + 1) : std::nullopt,
+                        entry_if_any(threads.power, thread),
+                        *density,
+                        std::nullopt};
+  if (!slip.second_nut) return hottest;
+  hottest.of_nut = 1;
+  std::optional<HottestThread> second = hottest_thread(*slip.second_nut);
+  if (!second || second->power_density <= hottest.power_density) return hottest;
+  second->of_nut = 2;
+  return second;
 }
 
 PRS_RECORD(InterfaceSlip, "InterfaceSlip",

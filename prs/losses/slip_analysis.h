@@ -16,6 +16,7 @@ struct HottestThread {
   std::optional<std::size_t> roller;  ///< Number from 1; for a full mechanism.
   std::optional<double> power;        ///< [W]
   double power_density = 0.0;         ///< [W/m^2]
+  std::optional<int> of_nut;          ///< 1 or 2; for a double nut.
 };
 
 Record<InterfaceSlip> record_of(Type<InterfaceSlip>);
@@ -57,7 +58,7 @@ inline std::string_view slip_status_name(const LoadCaseResult& result) {
   return result.converged() ? name(SlipStatus::not_computed) : status_name(result);
 }
 
-/// The hottest thread; absent if there are no densities.
+/// The hottest thread, of both nuts if there are two; absent if there are no densities.
 std::optional<HottestThread> hottest_thread(const SlipResult& slip);
 
 }  // namespace prs

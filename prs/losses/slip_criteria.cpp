@@ -53,6 +53,9 @@ FoundCriterion efficiency(const Result& slip, const Case& c) {
   }
   for (const LoadCaseResult& r : slip.load_cases) {
     if (!has_answer(r)) return {"efficiency", fmt::format("the slip of {} did not converge", r.load_case.name)};
+    if (r.slip->status == SlipStatus::imposed)
+      return {"efficiency",
+              fmt::format("{} has a stated slip ratio, which takes a force of its own", r.load_case.name)};
     if (screw_drives(r)) found.take(r.slip->efficiency, r.load_case.name);
   }
   if (const std::optional<double> whole = efficiency_over_spectrum(slip, c)) {
@@ -63,12 +66,15 @@ FoundCriterion efficiency(const Result& slip, const Case& c) {
   return found;
 }
 
-FoundCriterion temperature(const Result& slip) {
+/// The load cases of a duty cycle with stated losses all have the temperatures of its mean.
+FoundCriterion temperature(const Result& slip, const Case& c) {
   FoundCriterion found("temperature", "the temperatures did not converge");
   if (slip.heat_cycle) {
     if (slip.heat_cycle->converged()) take_temperatures(found, slip.heat_cycle->peak, "heat.duty");
   } else if (std::ranges::all_of(slip.load_cases, [](const auto& r) { return r.heat && r.heat->converged(); })) {
-    for (const LoadCaseResult& r : slip.load_cases) take_temperatures(found, r.heat->temperature, r.load_case.name);
+    const bool of_cycle = c.heat && !c.heat->duty.empty();
+    for (const LoadCaseResult& r : slip.load_cases)
+      take_temperatures(found, r.heat->temperature, of_cycle ? "heat.duty" : r.load_case.name);
   }
   return found;
 }
@@ -99,6 +105,7 @@ FoundCriterion film(const Result& slip, const Case& c) {
   FoundCriterion found("film", !c.lubricant      ? "no lubricant"
                                : !c.roughness    ? "add roughness"
                                : slip.heat_cycle ? "the temperatures of the duty did not converge"
+                               : std::ranges::any_of(slip.load_cases, is_held)    ? "a screw at rest has no film"
                                : std::ranges::all_of(slip.load_cases, has_answer) ? "no thread touches"
                                                                                   : "the slip did not converge");
   found.applies = c.lubricant.has_value();
@@ -149,7 +156,7 @@ std::vector<FoundCriterion> slip_criteria(const Result& slip, const JudgedCase& 
   const bool is_steady = !slip.heat_cycle || slip.heat_cycle->is_mission();
   std::vector<FoundCriterion> all{is_steady ? pressure_criterion(slip, of, false) : FoundCriterion("peak_pressure"),
                                   efficiency(slip, of.c), film(slip, of.c)};
-  if (of.c.heat) all.push_back(temperature(slip));
+  if (of.c.heat) all.push_back(temperature(slip, of.c));
   if (is_steady) {
     all.push_back(convergence(failed_cases(slip, "slip", has_answer)));
     all.push_back(convergence(failed_cases(slip, "temperatures", has_temperatures)));

@@ -283,8 +283,10 @@ Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<P
 /// the whole range and, against the distance from the ideal slip ratio, around the root (Sandu
 /// 2018, fig. 3.6).
 Figure slip_residue_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
-  const SlipResult& slip = *result.slip;
-  Figure figure{"slip_residue", "Moment on a roller about its axis, load case " + shown_name(result.load_case.name)};
+  const SlipResult& slip = result.slip->of_nut_that_carries(result.load_case);
+  Figure figure{"slip_residue", fmt::format("Moment on a roller{} about its axis, load case {}",
+                                            result.slip->second_nut ? " of the nut that carries the load" : "",
+                                            shown_name(result.load_case.name))};
   figure.columns = 2;
   for (const MomentCurve& c : kCurves) figure.add(std::string(c.title), c.style);
   std::ranges::reverse(figure.legend);

@@ -3,6 +3,7 @@
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/slip/slip_warnings.h"
 #include "prs/text.h"
 
@@ -66,8 +67,12 @@ std::string slip_ratio_lines(const SlipResult& slip) {
           ? fmt::format("imposed; moment left on a roller {} {}", four_digits(shown(slip.moments.residue(), "N mm")),
                         table_unit("N mm").text)
           : fmt::format("optimality {:.4g} % (pure sliding 0, ideal 100)", slip.optimality * "%"_per_si);
-  return block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
-         block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
+  const std::string second =
+      slip.second_nut ? block_line("  of the second nut", fixed(slip.second_nut->slip_ratio, 1.0, 6),
+                                   fmt::format("optimality {:.4g} %", slip.second_nut->optimality * "%"_per_si))
+                      : "";
+  return block_line(slip.second_nut ? "slip ratio, first nut" : "slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
+         second + block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
          block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
 }
 
@@ -204,8 +209,9 @@ std::string hottest_line(const SlipResult& slip) {
   const std::optional<HottestThread> hottest = hottest_thread(slip);
   if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
   return block_line("hottest thread",
-                    fmt::format("{} {}{}", name(hottest->interface), hottest->thread,
-                                hottest->roller ? fmt::format(", roller {}", *hottest->roller) : ""),
+                    fmt::format("{} {}{}{}", name(hottest->interface), hottest->thread,
+                                hottest->roller ? fmt::format(", roller {}", *hottest->roller) : "",
+                                hottest->of_nut ? (*hottest->of_nut == 1 ? ", first nut" : ", second nut") : ""),
                     fmt::format("{} W, {} {}", four_digits(*hottest->power),
                                 four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
 }
@@ -308,6 +314,11 @@ std::vector<double> power_of_rollers(const InterfaceSlip& slip) {
   return sums;
 }
 
+/// Whether a load case has slip of two nuts.
+bool has_two_nuts(const Result& result) {
+  return std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.slip && r.slip->second_nut; });
+}
+
 }  // namespace
 
 std::string slip_table(const Result& result, bool all) {
@@ -336,15 +347,19 @@ std::string slip_chart(const LoadCaseResult& result) {
 
 std::string slip_csv(const Result& result, const CsvStyle& style) {
   CsvRows csv(style);
+  const bool two_nuts = has_two_nuts(result);
   for (const LoadCaseResult& r : result.load_cases) {
     csv.load_case(r.load_case);
     // A search for the slip ratio has fields even without a result.
     const SlipResult* slip = r.slip ? &*r.slip : nullptr;
-    csv("converged", slip && slip->converged());
+    csv("converged", slip && slip->has_answer());
     csv("status", slip ? name(slip->status) : slip_status_name(r));
     csv.record("", slip, "evaluations");
     if (slip && !slip->converged()) slip = nullptr;
     csv.record("slip_ratio_", slip ? &slip->estimates : nullptr);
+    if (two_nuts)
+      csv("second_nut_slip_ratio",
+          slip && slip->second_nut ? std::optional(slip->second_nut->slip_ratio) : std::nullopt);
     for (const PowerSource& source : kPowerSources)
       csv(fmt::format("{}_power_W", source.key), slip ? std::optional(slip->power.*source.value) : std::nullopt);
     const std::optional<HottestThread> hottest = slip ? hottest_thread(*slip) : std::nullopt;
@@ -361,22 +376,30 @@ std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
   CsvRows csv(style);
   const bool all_rollers =
       std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
-  const auto add_row = [&](const LoadCaseResult& r, Interface i, const InterfaceSlip& slip, std::size_t k) {
+  const bool two_nuts = has_two_nuts(result);
+  const auto add_row = [&](const LoadCaseResult& r, const SlipResult& nut, Interface i, std::size_t k) {
+    const InterfaceSlip& slip = nut.threads[i];
     const auto row = static_cast<std::size_t>(slip.threads_per_roller);
     csv.load_case(r.load_case);
     if (all_rollers) csv("roller", row ? std::optional(k / row + 1) : std::nullopt);
+    const bool is_second = r.slip && &nut == r.slip->second_nut.get();
+    if (two_nuts) csv("of_nut", r.slip && r.slip->second_nut ? std::optional(is_second ? 2 : 1) : std::nullopt);
     csv("interface", name(i));
     csv("thread", row ? k % row + 1 : k + 1);
-    csv("axial_load_N", r.threads ? entry_if_any((*r.threads)[i].axial_load, k) : std::nullopt);
+    const bool is_other = r.slip && &nut != &r.slip->of_nut_that_carries(r.load_case);
+    csv("axial_load_N",
+        !r.threads ? std::nullopt
+                   : entry_if_any(is_other ? r.other_flank->threads[i].axial_load : (*r.threads)[i].axial_load, k));
     csv.series("", slip, k);
     csv.end_row();
   };
-  add_row({}, Interface::screw, {}, 0);
+  add_row({}, {}, Interface::screw, 0);
   csv.drop_rows();
   for (const LoadCaseResult& r : result.load_cases)
     if (has_slip(r) && r.threads)
-      for (const Interface i : kInterfaces)
-        for (const auto k : indices(r.slip->threads[i].power)) add_row(r, i, r.slip->threads[i], k);
+      for (const SlipResult* nut : {&*r.slip, static_cast<const SlipResult*>(r.slip->second_nut.get())})
+        for (const Interface i : kInterfaces)
+          for (std::size_t k = 0; nut && k < nut->threads[i].power.size(); ++k) add_row(r, *nut, i, k);
   return csv.take();
 }
 

@@ -7,6 +7,7 @@
 #include "prs/loads/load_record.h"
 #include "prs/loads/mechanism_figures.h"
 #include "prs/model/check_case.h"
+#include "prs/record/table_layout.h"
 #include "prs/slip/running.h"
 #include "prs/text.h"
 

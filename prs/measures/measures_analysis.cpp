@@ -8,6 +8,7 @@
 #include "prs/measures/measures_record.h"
 #include "prs/model/check_case.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -323,8 +323,10 @@ void require_warm_life(const Case& c, Problems& problems) {
       " for `life` at the temperatures of `heat`, or "
       "`life: {temperatures: reference}`";
   if (!c.friction) problems.add_missing("friction", fmt::format("a law of friction{}", kWhy), "{model: jacod}");
-  if (!c.operation || c.operation->speed == 0.0)
+  if (!c.operation)
     problems.add_missing("operation", fmt::format("the speed{}", kWhy), "{speed: 400 rpm}");
+  else if (c.operation->speed == 0.0)
+    problems.add("operation.speed", fmt::format("got 0 rpm; expected a speed other than 0{}", kWhy));
   require_friction(c, problems);
   require_expansion(c, problems);
 }

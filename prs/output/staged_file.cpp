@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/statvfs.h>
 
 #include <array>
 #include <atomic>
@@ -32,18 +30,6 @@ void remove_path(const char* path) {
 /// Waits if a signal handler is removing paths, which reads them until the end.
 void wait_if_ending() {
   while (ending) ::pause();
-}
-
-/// Reserves space; returns 0, or the error that prevents it.
-int reserve_on_disk(int file, std::uint64_t bytes) {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < bytes) return EFBIG;
-  if (::fallocate(file, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0) return 0;
-  if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG) return errno;
-  // On a file system that cannot reserve, the free space is compared.
-  struct statvfs free {};
-  if (::fstatvfs(file, &free) != 0) return 0;
-  return free.f_bavail < bytes / free.f_frsize ? ENOSPC : 0;
 }
 
 namespace fs = std::filesystem;
@@ -211,18 +197,12 @@ void StagedFile::append(std::string_view content) {
   if (const int error = write_all(file_, content); error != 0) fail(error);
 }
 
-void StagedFile::reserve(std::uint64_t bytes) {
-  if (const int error = reserve_on_disk(file_.get(), bytes); error != 0) fail(error);
-}
-
 void StagedFile::close() {
   if (const int error = file_.close(); error != 0) fail(error);
 }
 
 void StagedFile::sync() {
-  struct stat status {};
-  if (::fstat(file_.get(), &status) != 0 || ::ftruncate(file_.get(), status.st_size) != 0 || ::fsync(file_.get()) != 0)
-    fail(errno);
+  if (::fsync(file_.get()) != 0) fail(errno);
 }
 
 void StagedFile::publish() {

@@ -58,13 +58,10 @@ class StagedFile {
 
   void append(std::string_view content);
 
-  /// Reserves `bytes` bytes, for writers that do not survive a full disk. `sync` frees unused space.
-  void reserve(std::uint64_t bytes);
-
   /// Closes the file. Reports delayed write errors of the system.
   void close();
 
-  /// Writes the content to the disk, including that of other writers under the temporary name.
+  /// Writes the content to the disk.
   void sync();
 
   /// Closes the file and renames it to its target.

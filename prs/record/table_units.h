@@ -3,18 +3,9 @@
 #include "prs/model/part.h"
 #include "prs/model/warning.h"
 #include "prs/record/record.h"
+#include "prs/record/response_title.h"
 
 namespace prs {
-
-/// Title of a response for people.
-struct ResponseTitle {
-  std::string name;  ///< `largest peak pressure, screw`
-  std::string unit;  ///< `MPa`; empty if the path names none.
-};
-
-/// `screw.peak_pressure_MPa.max` -> `largest peak pressure, screw`, `MPa`: a quantity in the words of catalogues, then
-/// the part of the mechanism and the thread; `slip`, `contact`, `heat` and `measures` are left out.
-ResponseTitle response_title(std::string_view path);
 
 /// Units of tables for people. Documents and CSV are always `si`: their names carry the units.
 enum class UnitSystem { si, us };
@@ -73,7 +64,6 @@ struct TableResponse {
 
 TableResponse table_response(std::string_view path);
 
-inline constexpr std::size_t kTableWidth = 100;
 /// Text for a value that a case does not define.
 inline constexpr std::string_view kAbsent = "–";
 
@@ -90,38 +80,5 @@ std::string significant_with_unit(std::optional<double> si, std::string_view uni
 
 /// Value with significant digits, with an exponent where that is shorter.
 std::string digits(std::optional<double> value, int digits);
-
-/// Note below a table that leaves rows out: `all in slip.csv, with --output DIR`.
-std::string all_in(std::string_view file);
-
-/// The text, padded with spaces to `columns` columns.
-std::string padded(const std::string& text, std::size_t columns, bool left_aligned);
-/// The text padded, or shortened if it is too long.
-std::string fitted(std::string_view text, std::size_t columns, bool left_aligned = false);
-
-/// Layout of rows with a label and cells of one width, aligned to the right.
-struct TableRows {
-  std::size_t label_width;
-  std::size_t cell_width;
-  std::size_t gap = 0;  ///< Blanks before each cell.
-
-  /// One row, with the remark at its end.
-  std::string operator()(const std::string& label, const std::vector<std::string>& cells,
-                         std::string_view remark = {}) const;
-};
-
-/// A text after a label of this many columns; further lines are indented to it.
-std::string hanging(const std::string& label, std::size_t columns, std::string_view text);
-
-/// The line without trailing blanks.
-std::string ended(std::string line);
-
-/// A text of documents as tables show it: `at rest` for `static`, `iteration limit` for `iteration_limit`.
-std::string words_of_text(std::string_view text);
-
-/// Bars of both interfaces side by side, one line per thread, under the names of the
-/// interfaces. Each bar is followed by its value with `decimals` decimals and the unit; the largest
-/// value has the full length.
-std::string bar_chart(const PerInterface<std::vector<double>>& values, int decimals, std::string_view unit);
 
 }  // namespace prs

@@ -5,6 +5,7 @@
 #include "prs/indices.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/model/check_case.h"
+#include "prs/record/table_layout.h"
 #include "prs/report/requirement_page.h"
 #include "prs/report/tables.h"
 #include "prs/run/document_schema.h"

@@ -5,6 +5,7 @@
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/pictures.h"
+#include "prs/record/table_layout.h"
 #include "prs/report/glossary.h"
 #include "prs/report/report.h"
 #include "prs/svg/panel.h"

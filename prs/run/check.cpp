@@ -15,6 +15,7 @@
 #include "prs/losses/life_analysis.h"
 #include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"
+#include "prs/record/table_layout.h"
 #include "prs/run/analyses.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_warnings.h"

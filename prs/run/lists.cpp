@@ -2,6 +2,7 @@
 
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
+#include "prs/record/table_layout.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -2,6 +2,7 @@
 
 #include "prs/indices.h"
 
+#include "prs/record/table_layout.h"
 #include "prs/run/analyses.h"
 #include "prs/study/response.h"
 #include "prs/text.h"

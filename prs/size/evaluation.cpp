@@ -1,6 +1,7 @@
 #include "prs/size/evaluation.h"
 
 #include "prs/heat/duty_cycle.h"
+#include "prs/indices.h"
 #include "prs/life/analyze_life.h"
 #include "prs/losses/motor_demand.h"
 #include "prs/measures/measures.h"
@@ -121,7 +122,7 @@ class Evaluation {
     const LifeResult life = analyze_life(sized_.c, contacts_, {}, oils_);
     c_.by_threads.capacity = life.dynamic_capacity;
     rating_ = life.rated_over_l10();
-    if (life.converged() && c_.is_steady) {
+    if (life.converged() && c_.is_steady && has_temperatures()) {
       c_.by_threads.static_safety = life.static_safety();
       // Under preload travel without load is in the spectrum too.
       const double of_spectrum = r_.preload ? cycle_.travel : cycle_.loaded_travel;
@@ -137,8 +138,12 @@ class Evaluation {
     c_.rated_dynamic_capacity = c_.dynamic_capacity.value_or(life.dynamic_capacity);
     c_.rated_static_capacity = c_.static_capacity ? c_.static_capacity : life.equal_shares_static_capacity;
     if (c_.rated_static_capacity) c_.static_safety = *c_.rated_static_capacity / cycle_.largest_force;
-    if (cycle_.mean_load) c_.life = life_of(rating_ * rating_life(*c_.rated_dynamic_capacity, *cycle_.mean_load));
+    if (cycle_.mean_load && has_temperatures())
+      c_.life = life_of(rating_ * rating_life(*c_.rated_dynamic_capacity, *cycle_.mean_load));
   }
+
+  /// False where a mission has no temperatures, and no life.
+  bool has_temperatures() const { return !c_.mission || c_.mission->converged(); }
 
   void find_bearing(const LifeResult& life) {
     if (!life.bearing) return;
@@ -246,8 +251,14 @@ class Evaluation {
       if (b.driven_by != DrivenBy::screw || s.force == 0.0) continue;
       drives_ = true;
       has_eta = has_eta && b.efficiency;
-      work += s.work();
-      if (b.efficiency) input += s.work() / *b.efficiency;
+    }
+    // Classes count with the work of their mean force, as the steps of a spectrum do.
+    for (const auto k : indices(cycle_.shown)) {
+      const Branch& b = branches_[k];
+      const double of_class = cycle_.shown[k].work();
+      if (b.driven_by != DrivenBy::screw || of_class == 0.0 || !b.efficiency) continue;
+      work += of_class;
+      input += of_class / *b.efficiency;
     }
     if (has_losses) c_.power_lost = lost / cycle_.duration;
     if (has_eta && drives_) c_.efficiency = work / input;
@@ -379,7 +390,9 @@ class Evaluation {
     const DriveMotor& m = r_.motor;
     const std::string_view rests = cycle_.moves() ? "" : "nothing moves";
     const std::string_view no_load = cycle_.mean_load ? "" : "nothing moves under force";
-    const std::string_view no_loads = c_.is_steady ? "thread loads do not converge" : std::string_view(why_not_steady_);
+    const std::string_view no_loads = !has_temperatures() ? std::string_view(c_.mission->reason)
+                                      : c_.is_steady      ? "thread loads do not converge"
+                                                          : std::string_view(why_not_steady_);
     const bool by_row = r_.losses == Requirement::Losses::catalogue;
     const std::string_view no_efficiency = by_row         ? "the row has no efficiency"
                                            : c_.is_steady ? "slip has no equilibrium, and the row no efficiency"
@@ -531,7 +544,7 @@ class Evaluation {
     const bool on_nut = carrier_part(c_.screw.type) == Part::nut;
     const double length = on_nut ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
     if (on_nut && r_.stroke && sized_.shaft_length < *r_.stroke + c_.nut_length)
-      all.push_back(Warning{"shaft.length", "short_shaft",
+      all.push_back(Warning{"measures.shaft.length", "short_shaft",
                             "the shaft, {value}, is shorter than stroke and nut together, {limit}", "lengthen it"}
                         .with(sized_.shaft_length, *r_.stroke + c_.nut_length, "mm"_unit, Warning::Worse::smaller));
     const std::optional<double> stroke = r_.motion.loads ? r_.stroke : std::optional(cycle_.loaded_way);

@@ -70,12 +70,16 @@ void mark_pareto(std::vector<SizedCandidate>& all) {
   }
 }
 
-std::optional<Relaxation> relaxation(const std::vector<SizedCandidate>& all) {
+/// For the brake the torques [N m], in place of the ratio.
+std::optional<Relaxation> relaxation(const std::vector<SizedCandidate>& all, const std::optional<double>& brake) {
   for (const SizedCandidate& c : all)
     if (c.missed().size() == 1)
       for (const SizeCriterion& missed : c.criteria)
-        if (!missed.holds() && missed.margin)
-          return Relaxation{missed.name, c.rank, *missed.limit, *missed.value, *missed.margin};
+        if (!missed.holds() && missed.margin) {
+          if (missed.name == "brake")
+            return Relaxation{missed.name, "N m", c.rank, *brake, *brake / *missed.value, *missed.margin};
+          return Relaxation{missed.name, missed.unit, c.rank, *missed.limit, *missed.value, *missed.margin};
+        }
   return std::nullopt;
 }
 
@@ -160,7 +164,7 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
   int rank = 0;
   for (SizedCandidate& c : result.candidates) c.rank = ++rank;
   mark_pareto(result.candidates);
-  if (result.passing() == 0) result.relax = relaxation(result.candidates);
+  if (result.passing() == 0) result.relax = relaxation(result.candidates, in.values.brake_torque);
   for (SizedCandidate& c : result.candidates)
     if (c.mission && c.rank != static_cast<int>(std::max<std::size_t>(options.curve_of, 1)))
       c.mission->time.clear(), c.mission->temperature = {};
@@ -725,6 +729,7 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
   text += "\n# Mean of the time in motion, and the largest.\n" +
           block_text("operation", value_of(*c.operation, Block{})) +
           lines.line("friction", law.starts_with("{model") ? law : fmt::format("{{model: {}}}", law), "friction");
+  const bool has_heat = in.values.heat.has_value(), by_row = in.values.losses == Requirement::Losses::catalogue;
   const PerPart<double>& rough = *c.roughness;
   if (in.values.has_mission()) c.lubricant->temperature.reset();
   Lubricant lubricant_default;
@@ -739,17 +744,22 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
                      "roughness") +
           lines.block("carrier", value_of(c.carrier, Block{}), value_of(carrier_default, Block{})) +
           (in.values.has_mission() ? "\n# The mission, whose losses follow the temperatures of the parts.\n"
+           : !candidate.is_steady  ? "\n# The losses leave no steady temperatures, and nothing that depends on them.\n"
+           : has_heat && by_row    ? "\n# Temperatures are not known, since the efficiency of a catalogue does not say "
+                                     "where losses arise. With those "
+                                     "of\n# `prs slip` they would be the mean of the cycle:\n"
            : candidate.temperature
                ? "\n# Mean of the cycle. For parts that warm up and oil that follows, write `specific_heat: 460 "
                  "J/(kg K)` in place of\n# `losses: stated`, and delete temperatures of parts.\n"
                : "\n# Temperatures are not known. With what seat, bearings and air take they would be the mean of the "
                  "cycle; bare parts in\n# still air, by the rules of `prs new`:\n");
   Heat heat = heat_of_cycle(in, sized, candidate.conductance);
+  if (!candidate.is_steady) heat = {.ambient = heat.ambient, .conductance = heat.conductance};
   for (Heat::DutyStep& step : heat.duty)
     if (step.load_case) step.load_case = nlohmann::json(*step.load_case).dump();
   std::string of_heat = block_text("heat", value_of(heat, Block{}));
-  const bool is_known = candidate.temperature || in.values.has_mission();
-  for (std::size_t at = 0; !is_known && at < of_heat.size(); at = of_heat.find('\n', at) + 1) of_heat.insert(at, "# ");
+  const bool acts = has_heat && !by_row;
+  for (std::size_t at = 0; !acts && at < of_heat.size(); at = of_heat.find('\n', at) + 1) of_heat.insert(at, "# ");
   if (candidate.parts_at && !in.values.has_mission())
     of_heat +=
         fmt::format("deviations: {{temperature: {{screw: {:.12g} degC, roller: {:.12g} degC, nut: {:.12g} degC}}}}\n",

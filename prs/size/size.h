@@ -153,7 +153,7 @@ struct InvalidCandidate : CandidateData {
 
 /// Limit that would have to change for a candidate to pass, and its required value.
 struct Relaxation {
-  std::string_view criterion;
+  std::string_view criterion, unit = {};
   int rank = 0;
   double limit = 0.0, needed = 0.0, margin = 0.0;
 };

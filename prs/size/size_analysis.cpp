@@ -8,6 +8,7 @@
 #include "prs/loads/load_record.h"
 #include "prs/losses/slip_figures.h"
 #include "prs/record/csv_rows.h"
+#include "prs/record/table_layout.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -247,7 +248,7 @@ PRS_RECORD(NearestMiss, "NearestMiss", "The first candidate where nothing passes
 constexpr Quantity<Relaxation> kRelaxation[] = {
     {"criterion", always<&Relaxation::criterion>, "that is missed"},
     {"rank", always<&Relaxation::rank>, "of the candidate"},
-    {"limit", of<&Relaxation::limit>, "as it is, in the unit of the criterion"},
+    {"limit", of<&Relaxation::limit>, "as it is, in the unit of the criterion; of the brake its torque, N m"},
     {"needed", of<&Relaxation::needed>, "with which this candidate passes"},
     {"margin", of<&Relaxation::margin>, "as it is"},
 };
@@ -591,29 +592,53 @@ std::string unit_in_tables(std::string_view unit) {
   return std::string(tables.text.empty() ? unit : tables.text);
 }
 
+/// The limit of an input, as a file states it, or the value that would pass as a limit, rounded to its safe side.
+std::string limit_text(const Relaxation& relax, double value) {
+  const bool is_share = relax.criterion == "efficiency" || relax.criterion == "critical_speed";
+  const std::string unit = is_share ? "%" : unit_in_tables(relax.unit);
+  const double shown = value * (is_share ? "%"_per_si : table_factor(relax.unit));
+  const double digit = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - 3.0), steps = shown / digit;
+  const double whole = std::round(steps);
+  const double rounded = std::abs(steps - whole) < 1e-6 ? whole
+                         : relax.needed < relax.limit   ? std::floor(steps)
+                                                        : std::ceil(steps);
+  return fmt::format("{:.4g}{}{}", rounded * digit, unit.empty() ? "" : " ", unit);
+}
+
+/// The change of a limit that would let a candidate pass.
+std::string to_relax(const SizeResult& r, bool misses_several) {
+  if (r.relax)
+    return hanging("  ", 2,
+                   fmt::format("To relax: with {} of {} instead of {}, {} passes.", words_of(r.relax->criterion),
+                               limit_text(*r.relax, r.relax->needed), limit_text(*r.relax, r.relax->limit),
+                               r.candidates[static_cast<std::size_t>(r.relax->rank) - 1].name));
+  for (const SizedCandidate& c : r.candidates)
+    if (c.missed() == std::vector<std::string>{"back_driving"})
+      return hanging("  ", 2, fmt::format("To relax: with `back_driving: allowed`, {} passes.", c.name));
+  if (!misses_several) return {};
+  return hanging("  ", 2, "To relax: no limit alone suffices. Relax several, change the motion, or add candidates.");
+}
+
 std::string verdict(const SizeResult& r) {
   const std::size_t passing = r.passing(), invalid = r.invalid.size();
   const std::string refused = invalid == 0 ? "" : fmt::format("; {} cannot be made: see size.json", invalid);
   if (passing > 0) return fmt::format("{} of {} candidates pass{}\n", passing, r.candidates.size() + invalid, refused);
   const SizedCandidate& nearest = r.candidates.front();
-  std::vector<std::string> missed = nearest.missed();
-  std::ranges::transform(missed, missed.begin(), words_of);
-  std::string text = fmt::format("NOTHING PASSES, of {} candidates{}\n", r.candidates.size() + invalid, refused);
-  text += hanging("  ", 2, fmt::format("The nearest, {}, misses {}.", nearest.name, fmt::join(missed, ", ")));
-  if (r.relax) {
-    const SizedCandidate& passes = r.candidates[static_cast<std::size_t>(r.relax->rank) - 1];
-    const auto of = std::ranges::find(passes.criteria, r.relax->criterion, &SizeCriterion::name);
-    const auto text_in = [&](double value) {
-      const std::string unit = unit_in_tables(of->unit);
-      return fmt::format("{:.4g}{}{}", value * table_factor(of->unit), unit.empty() ? "" : " ", unit);
-    };
-    text += hanging("  ", 2,
-                    fmt::format("To relax: with {} of {} instead of {}, {} passes.", words_of(r.relax->criterion),
-                                text_in(r.relax->needed), text_in(r.relax->limit), passes.name));
-  } else {
-    text += hanging("  ", 2, "To relax: no limit alone suffices. Relax several, change the motion, or add candidates.");
+  std::vector<std::string> missed;
+  std::vector<std::pair<std::string, std::vector<std::string>>> unknown;  // By their reason.
+  for (const SizeCriterion& c : nearest.criteria) {
+    if (c.status == CriterionStatus::fail) missed.push_back(words_of(c.name));
+    if (c.status != CriterionStatus::not_computed) continue;
+    auto same = std::ranges::find(unknown, c.reason, &decltype(unknown)::value_type::first);
+    if (same == unknown.end()) same = unknown.insert(same, {c.reason, {}});
+    same->second.push_back(words_of(c.name));
   }
-  return text;
+  std::string text = fmt::format("NOTHING PASSES, of {} candidates{}\n", r.candidates.size() + invalid, refused);
+  if (!missed.empty())
+    text += hanging("  ", 2, fmt::format("The nearest, {}, misses {}.", nearest.name, fmt::join(missed, ", ")));
+  for (const auto& [reason, names] : unknown)
+    text += hanging("  ", 2, fmt::format("Not known of {}: {}: {}.", nearest.name, fmt::join(names, ", "), reason));
+  return text + to_relax(r, missed.size() > 1);
 }
 
 /// Whether temperatures depend on estimated conductances to still air.
@@ -665,7 +690,8 @@ Cells drive_row(const SizeResult& r, const SizedCandidate& c) {
 
 std::string candidate_rows(const SizeResult& r, std::size_t count) {
   const std::string torque = with_table_unit("N m");
-  std::vector<Cells> screws{{"", "", "", "L10", "", "static", "buckling", "weight", "limited"},
+  const std::string life = fmt::format("L{:.3g}", 100.0 - r.input.values.life.reliability * "%"_per_si);
+  std::vector<Cells> screws{{"", "", "", life, "", "static", "buckling", "weight", "limited"},
                             {"rank", "screw", "", "h", "basis", "safety", "safety", with_table_unit("kg"), "by"}};
   std::vector<Cells> drives{{"", "", "", "", "T rms", "T peak", "motor", "peak", "hottest", "", ""},
                             {"rank", "screw", "type", "starts", torque, torque, "rpm", "kW", "°C", "brake", "source"}};

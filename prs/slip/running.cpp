@@ -1,5 +1,7 @@
 #include "prs/slip/running.h"
 
+#include <numeric>
+
 #include "prs/indices.h"
 #include "prs/slip/running_equilibrium.h"
 #include "prs/slip/slip.h"
@@ -47,6 +49,12 @@ LoadCaseResult with_friction(LoadCaseResult loaded, LoadCaseResult slipped) {
     to.load_rate = std::move(from.load_rate);
     to.friction = std::move(from.friction);
     to.running_over_static = from.running_over_static;
+    if (!to.rollers) continue;
+    const auto row = static_cast<std::ptrdiff_t>(to.threads_per_roller);
+    for (auto first = to.axial_load.begin(); double& share : to.rollers->share) {
+      share = std::accumulate(first, first + row, 0.0) / loaded.load_case.axial_force;
+      first += row;
+    }
   }
   loaded.loads = slipped.loads;
   loaded.running = std::move(slipped.running);

@@ -216,8 +216,8 @@ SlipResult held(const Conditions& c, const Contacts& contacts, const LoadCase& l
       result.status = slip ? slip->status : SlipStatus::no_equilibrium;
       return Holding::Bound{};
     }
-    return Holding::Bound{sense * slip->torque_screw, slip->torque_screw, slip->torque_nut, slip->slip_ratio,
-                          slip->forces};
+    const SlipResult& nut = slip->of_nut_that_carries(load);
+    return Holding::Bound{sense * slip->torque_screw, slip->torque_screw, slip->torque_nut, nut.slip_ratio, nut.forces};
   };
   result.status = SlipStatus::held;
   result.gear_ratio = gear_ratio(contacts.mechanism);

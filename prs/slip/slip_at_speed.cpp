@@ -7,26 +7,19 @@
 namespace prs {
 namespace {
 
-struct SlipOfSpeed {
-  SlipModel model;
-  SlipEquilibrium slip;
-};
-
-/// Slip of a load case at another speed: loads of a running screw are found anew, those at rest
-/// stay. None where there is no equilibrium.
-std::optional<SlipOfSpeed> slip_at_speed(const Conditions& c, const Contacts& contacts, const SlipModels& models,
-                                         const LoadCaseResult& loaded, const LoadCase& at) {
-  std::optional<SlipEquilibrium> slip;
-  if (runs(c, loaded.load_case)) {
-    const LoadCaseResult found = RunningSolver(c, contacts, models).solve(at, Detail::numbers, slip);
-    if (!found.threads) return std::nullopt;
-    return SlipOfSpeed{models.of(found), std::move(*slip)};
+/// Slip of a load case at another speed: loads of a running screw and of both flanks are found anew, others stay.
+/// None where there is no equilibrium.
+std::optional<SlipResult> slip_at_speed(const Conditions& c, const Contacts& contacts, const SlipModels& models,
+                                        const LoadCaseResult& loaded, const LoadCase& at) {
+  std::optional<SlipResult> slip;
+  if (runs(c, loaded.load_case) || loaded.other_flank) {
+    slip = slip_alone(c, contacts, at, models.oils());
+  } else {
+    SlipModel model = models.of(loaded);
+    model.speed = *at.speed;
+    slip = slip_result(model);
   }
-  SlipModel model = models.of(loaded);
-  model.speed = *at.speed;
-  slip = find_slip_equilibrium(model);
-  if (!slip->ok()) return std::nullopt;
-  return SlipOfSpeed{std::move(model), std::move(*slip)};
+  return slip && slip->converged() ? std::move(slip) : std::nullopt;
 }
 
 }  // namespace
@@ -49,9 +42,8 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   const SlipModel as_stated = models.unloaded(driving);
   const bool by_screw = driven_by(as_stated.axial_force, as_stated.speed, as_stated.geometry.lead) == DrivenBy::screw;
   driving.speed = by_screw ? -as_stated.speed : as_stated.speed;
-  const std::optional<SlipOfSpeed> found = slip_at_speed(free, contacts, models, loaded, driving);
-  if (!found) return std::nullopt;
-  return power_flow(found->model, found->slip.balance).efficiency();
+  const std::optional<SlipResult> found = slip_at_speed(free, contacts, models, loaded, driving);
+  return found ? found->efficiency : std::nullopt;
 }
 
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {
@@ -66,19 +58,17 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
   for (int k = 0; k <= kDecades * kPerDecade; ++k) {
     // The speeds go from a thousandth to ten times the speed of the case.
     at.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
-    const auto found = slip_at_speed(warm, result.contacts, models, loaded, at);
-    if (!found) continue;
-    SlipResult slip;
-    set_slip_result(slip, found->model, found->slip, {});
+    const std::optional<SlipResult> slip = slip_at_speed(warm, result.contacts, models, loaded, at);
+    if (!slip) continue;
     curve.speed.push_back(std::abs(*at.speed));
-    curve.power.push_back(slip.power.total());
-    curve.efficiency.push_back(slip.efficiency);
+    curve.power.push_back(slip->power.total());
+    curve.efficiency.push_back(slip->efficiency);
     for (const Interface i : kInterfaces) {
-      const InterfaceSlip& threads = slip.threads[i];
+      const InterfaceSlip& threads = slip->of_nut_that_carries(loaded.load_case).threads[i];
       const auto most = static_cast<std::size_t>(std::ranges::max_element(threads.dynamic_normal_load) -
                                                  threads.dynamic_normal_load.begin());
-      curve.friction[i].push_back(threads.friction_coefficient[most]);
-      if (!threads.film_ratio.empty()) curve.film_ratio[i].push_back(threads.film_ratio[most]);
+      curve.friction[i].push_back(threads.friction_coefficient.at(most));
+      if (!threads.film_ratio.empty()) curve.film_ratio[i].push_back(threads.film_ratio.at(most));
     }
   }
   return curve;

@@ -66,7 +66,10 @@ std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model, const Rolle
     RollerHeadOf<Number>& head = heads[h];
     head.guide_force = guides ? Number((*guides)[h]) : -0.5 * f.contacts_x;
     if (!guides || !model.guides.carry_centrifugal) head.guide_force -= 0.5 * f.centrifugal;
-    head.bearing_force = simd::length(Number(head.guide_force - 0.5 * f.gears_x), Number(0.5 * f.carrier_y));
+    const Number along_radius = head.guide_force - 0.5 * f.gears_x, along_orbit = 0.5 * f.carrier_y;
+    // A head without load, as of grooved rollers in guides with clearance, has no direction of its force.
+    const bool unloaded = value(along_radius) == 0.0 && value(along_orbit) == 0.0;
+    head.bearing_force = unloaded ? Number(0.0) : simd::length(along_radius, along_orbit);
     if (model.has_bearing()) head.state = head_state<Number, double>(model, speed, head.bearing_force);
   }
   return heads;

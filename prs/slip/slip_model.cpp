@@ -281,6 +281,11 @@ std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded) const {
   return models;
 }
 
+SlipModel SlipModels::of_nut_that_carries(const LoadCaseResult& loaded) const {
+  std::vector<SlipModel> nuts = of_nuts(loaded);
+  return std::move(nuts[nuts.size() == 2 && *loaded.load_case.direction == Direction::tension ? 1 : 0]);
+}
+
 SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils* oils) const {
   SlipModel model = unloaded(load_case, oils);
   set_equal_contacts(model, contacts_);

@@ -50,6 +50,8 @@ class SlipModels {
   /// Models of each nut of a double nut separately: first nut, second nut. They carry compression and tension, the
   /// second one with patches of its own.
   std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded) const;
+  /// Model of the nut that carries the direction of the load case, or of the only one.
+  SlipModel of_nut_that_carries(const LoadCaseResult& loaded) const;
   /// Model with one patch that represents all threads of an interface (Sandu 2018); `oils`: replace those of all
   /// models.
   SlipModel equal_shares(const LoadCase& load_case, const Oils* oils = nullptr) const;

@@ -39,9 +39,9 @@ std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, cons
                                                        std::size_t thread) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
   const SlipModels models(c, result.contacts, oils_of(c, loaded));
-  const SlipModel model = models.of(loaded);
+  const SlipModel model = models.of_nut_that_carries(loaded);
   SlipBalance balance;
-  balance_at(model, loaded.slip->slip_ratio, balance);
+  balance_at(model, loaded.slip->of_nut_that_carries(loaded.load_case).slip_ratio, balance);
   PerInterface<PatchField> fields;
   for (const Interface i : kInterfaces) {
     const std::optional<std::size_t> patch = model.threads[i].patch_of_thread[thread];
@@ -54,16 +54,16 @@ std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, cons
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
   const SlipModels models(c, result.contacts, oils_of(c, loaded));
-  const SlipModel model = models.of(loaded);
+  const SlipModel model = models.of_nut_that_carries(loaded);
+  const double found = loaded.slip->of_nut_that_carries(loaded.load_case).slip_ratio;
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.
-  const double reach =
-      std::min({std::max(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4), range.ideal, 1.0 - range.ideal});
+  const double reach = std::min({std::max(2.0 * std::abs(found - range.ideal), 1e-4), range.ideal, 1.0 - range.ideal});
   SlipPictures pictures;
   pictures.residue = residue_curve(model, range.pure_sliding, range.ideal);
   pictures.residue_near_root = residue_curve(model, range.ideal - reach, range.ideal + reach);
   SlipBalance balance;
-  balance_at(model, loaded.slip->slip_ratio, balance);
+  balance_at(model, found, balance);
   if (model.threads.screw.patches.empty() || model.threads.nut.patches.empty()) return pictures;
   pictures.most_loaded_thread.emplace();
   for (const Interface i : kInterfaces) {

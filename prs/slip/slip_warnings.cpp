@@ -203,7 +203,7 @@ Warning no_slip(bool jammed, const std::string& where) {
                 ": a contact jams: its friction takes more of the axial load than its normal "
                 "load gives; expect the screw to stick"};
   return {"carrier", "no_slip_ratio", where + ": no slip ratio balances the moment on a roller",
-          "check the carrier's torques"};
+          "check the carrier's torques, which threads without load, as of an open nut, cannot overcome"};
 }
 
 std::string_view lubrication(double film_ratio) {

@@ -4,6 +4,7 @@
 
 #include "prs/indices.h"
 #include "prs/loads/case_table.h"
+#include "prs/record/table_layout.h"
 #include "prs/study/study_pictures.h"
 
 namespace prs {

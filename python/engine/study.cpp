@@ -9,6 +9,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -202,8 +203,9 @@ std::vector<std::vector<Draw>> draws_of(const Study& study, const double* number
   return designs;
 }
 
-/// Number of designs evaluated between checks for a stop.
-constexpr std::size_t kDesignsAtOnce = 32'768;
+/// Largest number of designs evaluated between checks for a stop, and the time that they should take.
+constexpr std::size_t kMostAtOnce = 32'768;
+constexpr std::chrono::milliseconds kAtOnce{100};
 
 /// Results for the rows of an array; fewer if the work was stopped.
 Designs evaluate(const StudySource& source, const double* numbers, std::size_t rows, std::size_t threads,
@@ -213,9 +215,11 @@ Designs evaluate(const StudySource& source, const double* numbers, std::size_t r
   Designs designs{study.responses, 0, nullptr, {}};
   auto values = std::make_shared<std::vector<double>>();
   values->reserve(rows * study.responses.size());
+  std::size_t at_once = threads;
   while (designs.count < rows && !supervision.stopped()) {
+    const auto start = std::chrono::steady_clock::now();
     const std::size_t first = designs.count;
-    const std::size_t count = std::min(kDesignsAtOnce, rows - first);
+    const std::size_t count = std::min(at_once, rows - first);
     RowBlock block = evaluate_all(draws_of(study, numbers + first * study.factors.size(), count));
     values->insert(values->end(), block.responses.begin(), block.responses.end());
     for (RowBlock::Failure& failure : block.failures)
@@ -223,6 +227,8 @@ Designs evaluate(const StudySource& source, const double* numbers, std::size_t r
                                     std::move(failure.status.reason));
     designs.count += count;
     supervision.report({designs.count, 0, rows});
+    const bool is_fast = std::chrono::steady_clock::now() - start < kAtOnce;
+    at_once = is_fast ? std::min(2 * at_once, kMostAtOnce) : std::max(at_once / 2, threads);
   }
   designs.values = std::move(values);
   return designs;

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import copy
 import csv
+import errno
 import io
 import json
 import math
 import os
 import re
 import reprlib
-import warnings
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from numbers import Real
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self, overload
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar, overload
 
 from rollerscrew import _engine
 from rollerscrew.designs import (
@@ -27,7 +28,7 @@ from rollerscrew.designs import (
     study_rows,
     thread_count,
 )
-from rollerscrew.errors import InputError
+from rollerscrew.errors import InputError, warn_caller
 from rollerscrew.frames import frame_of
 from rollerscrew.function import Function, function_of
 from rollerscrew.progress import Progress, progress_callback
@@ -43,7 +44,7 @@ from rollerscrew.results import (
     OptimizationResult,
     StudyResult,
 )
-from rollerscrew.values import case_text, checked_text, number_text, override_text
+from rollerscrew.values import case_text, checked, checked_text, number_text, override_text
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -236,11 +237,14 @@ class Case(Analyses):
 
         Raises
         ------
+        KeyError
+            Where the case has no such path.
         ValueError
             Where the value has no such unit.
         """
         value = self[path]
-        number = _engine.number_in(value if isinstance(value, str) else repr(value), unit)
+        text = value if isinstance(value, str) else repr(value)
+        number = _engine.number_in(text, checked_text("unit", unit))
         if number is None:
             raise ValueError(
                 f"{path}: got {reprlib.repr(value)} and the unit {unit!r}; expected a unit that "
@@ -319,7 +323,8 @@ class Case(Analyses):
 
         Of its study and its optimization the page shows what `prs study` or `prs optimize` left in
         one of the folders `results`. False where something on the page did not converge.
-        Warns where the page is static because the package has no engine of live pages.
+        Warns where the page is static because the package has no engine of live pages. Raises
+        OSError where the page cannot be written.
 
         Parameters
         ----------
@@ -337,9 +342,11 @@ class Case(Analyses):
         folders = [results] if isinstance(results, str | os.PathLike) else results
         live_parts = live_parts_folder()
         if absent := _engine.live_parts_absent(live_parts):
-            warnings.warn(f"the page is static: {absent}", stacklevel=2)
-        names = [_file_name(folder) for folder in folders]
-        return self._case.report(_file_name(file), names, live_parts)
+            warn_caller(f"the page is static: {absent}")
+        expected = "a folder, or a list of folders"
+        names = [_file_name(each) for each in checked("results", folders, Iterable, expected)]
+        name = _file_name(file)
+        return _written(lambda: self._case.report(name, names, live_parts))
 
     def explore(
         self,
@@ -381,7 +388,8 @@ class Case(Analyses):
         """Writes a co-simulation unit of FMI 2.0, as `prs export --fmu` does; its warnings.
 
         `force` [N] and `speed` [rad/s] are the largest of the curves, else those of the case. The
-        conditions are those of `load_case`, else of the first.
+        conditions are those of `load_case`, else of the first. Raises OSError where the file cannot
+        be written, as the other exports do.
         """
         return self._export(file, ".fmu", force, speed, load_case)
 
@@ -444,10 +452,14 @@ class Case(Analyses):
             raise ValueError(f"file: got {name!r}; expected a name that ends in {ending}")
         given = (("force", force), ("speed", speed), ("friction_load", friction_load))
         for what, value in given:
-            if value is not None and not (math.isfinite(value) and value > 0.0):
+            if value is not None and not (
+                isinstance(value, Real) and math.isfinite(value) and value > 0.0
+            ):
                 raise ValueError(f"{what}: got {value!r}; expected a finite number > 0")
+        if load_case is not None:
+            checked_text("load_case", load_case)
         options = (force, speed, load_case, friction_load, play_joint)
-        return self._case.export_model(name, *options)
+        return _written(lambda: self._case.export_model(name, *options))
 
     def study(
         self,
@@ -526,11 +538,10 @@ class Case(Analyses):
         result = LifeResult._answer(case, "life")
         own = case["life"] if history is not None and "operation.speed" in case else None
         if own and "period" not in own and not {"time", "interval"} & set(own["history"]):
-            warnings.warn(
+            warn_caller(
                 "history: got no time; hours are those of motion at operation.speed, "
                 f'{case["operation.speed"]}; give `time`, such as {{"time": (times, "s")}}, or the '
-                'time between two rows, `interval="0.1 s"`',
-                stacklevel=2,
+                'time between two rows, `interval="0.1 s"`'
             )
         return result
 
@@ -570,6 +581,11 @@ class Case(Analyses):
         -------
         CompareResult
         """
+        if reference is None and options:
+            raise TypeError(
+                f"{', '.join(options)}: got options of a reference, and no reference; "
+                "`with_` changes those of the case"
+            )
         return CompareResult._answer(
             self if reference is None else self._with_references(reference, options), "compare"
         )
@@ -610,12 +626,13 @@ class Case(Analyses):
         curves = self._from_source(bare)["fit"]["curves"]
         names = [curve.get("name", f"curve-{k + 1}") for k, curve in enumerate(curves)]
         changed = [*overrides]
-        for curve, columns in data.items():
+        expected = "readings by the names of the curves"
+        for curve, columns in checked("data", data, Mapping, expected).items():
             if curve not in names:
                 raise ValueError(f"{curve}: got no curve; expected one of {', '.join(names)}")
             at = names.index(curve)
             file = f"<data[{curve!r}]>" if len(curve) < 80 else f"<data of curve {at + 1}>"
-            given[file] = _csv_of(curve, columns)
+            given[file] = _csv_of(f"data[{curve!r}]", columns)
             changed.append(f"fit.curves[{at}].file={json.dumps(file, ensure_ascii=False)}")
         return self._from_source(_source(name, text, changed, folder, given))
 
@@ -917,7 +934,12 @@ def _with_index(columns: Any) -> Any:
 
 def _csv_of(name: str, columns: Any) -> bytes:
     """Arrays by the names of columns, or a frame, as a CSV file."""
-    arrays = {str(key): list(columns[key]) for key in columns}
+    if not hasattr(columns, "columns"):
+        checked(name, columns, Mapping, "a frame, or arrays by the names of columns")
+    arrays = {
+        str(key): list(checked(f"{name}[{key!r}]", columns[key], Iterable, "an array"))
+        for key in columns
+    }
     if len({len(values) for values in arrays.values()}) > 1:
         lengths = ", ".join(f"{key} has {len(values)}" for key, values in arrays.items())
         raise ValueError(f"{name}: got {lengths} values; expected as many of each column")
@@ -1008,11 +1030,26 @@ def _folder(name: str) -> str:
     return os.path.abspath(os.path.dirname(checked_text("name", name)))
 
 
-def _file_name(file: str | os.PathLike[str]) -> str:
-    name = checked_text("file", os.fspath(file))
+def _file_name(file: str | os.PathLike[str], what: str = "file") -> str:
+    name = checked_text(what, os.fspath(checked(what, file, str | os.PathLike, "a path")))
     if "\0" in name:
-        raise ValueError(f"file: got {name!r}; expected a path without the character NUL")
+        raise ValueError(f"{what}: got {name!r}; expected a path without the character NUL")
     return name
+
+
+W = TypeVar("W")
+
+
+def _written(write: Callable[[], W]) -> W:
+    """What the engine returns that writes a file; what the system refuses is an OSError."""
+    try:
+        return write()
+    except RuntimeError as error:
+        text = str(error)
+        if not text.startswith("cannot write "):
+            raise
+        codes = [code for code in errno.errorcode if text.endswith(f": {os.strerror(code)}")]
+        raise OSError(*codes[:1], text) from None
 
 
 def _overrides(values: Mapping[str, Any]) -> list[str]:
@@ -1026,4 +1063,5 @@ def _overrides(values: Mapping[str, Any]) -> list[str]:
 
 def explore(case: Case, file: str | os.PathLike[str] | None = None) -> Path:
     """Writes the live page of a case and opens it in the browser: `Case.explore`."""
+    checked("case", case, Case, "a Case")
     return case.explore(file)

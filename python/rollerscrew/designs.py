@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import operator
 import os
 import re
 import reprlib
-import warnings
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -17,17 +17,27 @@ import numpy as np
 import numpy.typing as npt
 
 from rollerscrew import _engine
-from rollerscrew.errors import InputError, InputProblem
+from rollerscrew.errors import InputError, InputProblem, warn_caller
+from rollerscrew.frames import array_kinds
 from rollerscrew.progress import Progress, progress_callback
 from rollerscrew.reasons import COMMANDS, STUDIED, Reasons, commands_of, numbers_known, response_in
 from rollerscrew.record import loads_of, some_of
-from rollerscrew.records import Command
+from rollerscrew.records import (
+    Command,
+    FlankThreads,
+    FrictionForces,
+    InterfaceLife,
+    InterfaceLoads,
+    InterfaceSlip,
+)
 from rollerscrew.values import (
+    checked,
     checked_text,
     is_quantity,
     is_with_unit,
     number_text,
     override_text,
+    place_among,
     plain,
     unit_and_magnitude,
 )
@@ -154,7 +164,7 @@ class Designs:
         """`load_cases[0].slip.efficiency` of `load_cases[pull].slip.efficiency`."""
         from rollerscrew.case import Case
 
-        found = re.match(r"load_cases\[(?!\d+\])([^\]]+)\]", name)
+        found = re.match(r"load_cases\[(?!\d+\])([^\]]+)\]", checked_text("column", name))
         if found is None or self.origin is None:
             return name
         entries = Case._from_source(source_of(self.origin.case))["load_cases"]
@@ -225,6 +235,8 @@ class Designs:
 
         Raises
         ------
+        IndexError
+            Where there is no such design.
         ValueError
             Of designs that were read from JSON.
         """
@@ -232,7 +244,7 @@ class Designs:
 
         if self.origin is None:
             raise ValueError("designs that were read from JSON have no case; run them again")
-        place = range(len(self))[operator.index(design)]
+        place = place_among(len(self), "design", design)
         return Case._from_source(source_of(self.origin.case, self.origin.overrides(place)))
 
     def best(self, response: str, *, largest: bool = False) -> int:
@@ -257,7 +269,7 @@ class Designs:
         ValueError
             Where no design converged with a value.
         """
-        values = self[response]
+        values = self[checked_text("response", response)]
         if values.ndim > 1:
             raise ValueError(f"{response}: got an array; expected a number such as {response}.max")
         values = np.where(self.converged, values, np.nan)
@@ -306,7 +318,10 @@ class Designs:
         return plots.draw(_cloud(self, x, y, colour), ax, label=label, color=color, width=width)
 
     def to_frame(self) -> pd.DataFrame:
-        """Inputs, status, reason and responses, one row per design: the columns of `study.csv`.
+        """Inputs, status, reason and responses, one row per design.
+
+        `study.csv` has these columns behind the number of the design, its first row is the base
+        case; that of the plan `one_at_a_time` has the value that is changed in place of the inputs.
 
         Returns
         -------
@@ -324,8 +339,9 @@ class Designs:
         """Responses over the inputs: where these form a grid, each is a dimension.
 
         Else there is one dimension, `design`, with the inputs as coordinates. The index of a frame
-        is a coordinate, too, where there is one dimension. Arrays of threads have the dimension
-        `thread`; the number of the first thread is 1. Variables have the
+        is a coordinate, too, where there is one dimension. Arrays over threads have the dimension
+        `thread`; the number of the first thread is 1, and what an array lacks is NaN. Other arrays
+        have a dimension of their own, `response.position_mm_index`, from 0. Variables have the
         attributes `units` and `long_name`, the whole `prs_version`, `case_file`, `input_sha256`,
         `command` and `loads`: `at rest`, or `running` with the friction of a screw that turns.
 
@@ -336,29 +352,45 @@ class Designs:
         import xarray
 
         names = [str(name) for name in self.inputs]
-        levels = {name: np.unique(self.inputs[name].to_numpy()) for name in names}
-        shape = tuple(len(values) for values in levels.values())
-        dims: tuple[str, ...] = tuple(levels)
-        coordinates: dict[str, Any] = dict(levels)
-        places = [np.searchsorted(levels[name], self.inputs[name].to_numpy()) for name in names]
-        order = np.full(shape, -1)
-        order[tuple(places)] = np.arange(len(self))
-        if not shape or np.prod(shape) != len(self) or (order < 0).any():
-            dims, order = ("design",), np.arange(len(self))
-            coordinates = {name: ("design", self.inputs[name].to_numpy()) for name in names}
+        inputs = [self.inputs[name].to_numpy() for name in names]
+        levels = [np.unique(values) for values in inputs]
+        shape = tuple(map(len, levels))
+        dims: tuple[str, ...] = ("design",)
+        order: npt.NDArray[Any] = np.arange(len(self))
+        coordinates: dict[str, Any] = {name: (dims, each) for name, each in zip(names, inputs)}
+        if shape and math.prod(shape) == len(self):
+            grid = np.full(shape, -1)
+            grid[tuple(map(np.searchsorted, levels, inputs))] = order
+            if (grid >= 0).all():
+                dims, order, coordinates = tuple(names), grid, dict(zip(names, levels))
         if len(dims) == 1 and not self._counts_rows:
             for label, values in _index_columns(self.inputs.index).items():
                 coordinates[label] = (dims, values[order])
         data: dict[str, Any] = {}
-        for name, columns in self._whole_responses().items():
+        whole = self._whole_responses()
+        arrays = {
+            name: np.array([int(self.responses[k].rpartition("[")[2][:-1]) for k in columns])
+            for name, columns in whole.items()
+            if len(columns) > 1
+        }
+        ends = {name: _ENTRY.sub("", name).rpartition(".")[2] for name in arrays}
+        over_threads = {name for name, end in ends.items() if end in _thread_arrays()}
+        threads = np.unique([k + 1 for name in over_threads for k in arrays[name]])
+        if over_threads:
+            coordinates["thread"] = threads
+        for name, columns in whole.items():
             values = self.values[order][..., columns]
             title, unit = _engine.response_title(name)
             said = {"long_name": title, "units": unit}
-            if len(columns) == 1:
-                data[name] = (dims, values[..., 0], said)
+            if name in over_threads:
+                placed = np.full((*order.shape, len(threads)), np.nan)
+                placed[..., np.searchsorted(threads, arrays[name] + 1)] = values
+                data[name] = ((*dims, "thread"), placed, said)
+            elif name in arrays:
+                coordinates[f"{name}_index"] = arrays[name]
+                data[name] = ((*dims, f"{name}_index"), values, said)
             else:
-                data[name] = ((*dims, "thread"), values, said)
-                coordinates["thread"] = np.arange(1, len(columns) + 1)
+                data[name] = (dims, values[..., 0], said)
         data["status"] = (dims, self.status[order].astype(str))
         dataset = xarray.Dataset(data, coordinates, self._source_attributes())
         for name in names:
@@ -389,6 +421,14 @@ def _index_columns(index: pd.Index[Any]) -> dict[str, npt.NDArray[Any]]:
         str(name if name is not None else f"level_{k}"): index.get_level_values(k).to_numpy()
         for k, name in enumerate(index.names)
     }
+
+
+@lru_cache(maxsize=1)
+def _thread_arrays() -> frozenset[str]:
+    """The arrays with a number for each thread, by the ends of their paths."""
+    kinds = (FlankThreads, FrictionForces, InterfaceLife, InterfaceLoads, InterfaceSlip)
+    names = {name for kind in kinds for name in array_kinds(kind)}
+    return frozenset(names - {"roller_share_percent"} | {"yang_load_rate_percent"})
 
 
 #: The last place in a path: `screw.load_rate_percent[3]`.
@@ -478,11 +518,15 @@ def study_inputs(study: _engine.Study) -> pd.DataFrame:
         numbers = values[:, column]
         if words:
             columns[name] = [words[int(k)] for k in numbers]
-        elif not _path_and_unit(name)[1] and np.all(numbers == np.round(numbers)):
-            columns[name] = numbers.astype(np.int64)  # Counts.
         else:
-            columns[name] = numbers
+            columns[name] = as_counts(name, numbers)
     return pd.DataFrame(columns)
+
+
+def as_counts(name: str, numbers: npt.NDArray[np.float64]) -> npt.NDArray[Any]:
+    """The numbers of a column, as integers where they have no unit and are whole."""
+    is_count = not _path_and_unit(name)[1] and np.all(numbers == np.round(numbers))
+    return numbers.astype(np.int64) if is_count else numbers
 
 
 def evaluate(
@@ -496,7 +540,10 @@ def evaluate(
 ) -> Designs:
     """See `Case.evaluate`."""
     if isinstance(responses, str):
-        raise TypeError(f"got the text {responses!r}; expected a list of responses")
+        raise TypeError(f"responses: got the text {responses!r}; expected a list of responses")
+    if responses is not None:
+        responses = list(checked("responses", responses, Iterable, "a list of responses"))
+        require_once(responses)
     if on_error not in ("raise", "row"):
         raise ValueError(f"on_error: got {on_error!r}; expected 'raise' or 'row'")
     constants, columns = _columns(inputs, finite=on_error == "raise")
@@ -504,15 +551,16 @@ def evaluate(
     if isinstance(command, str) and command == "preload":
         answered = _preload_rows(case, constants, columns, responses, on_error)
     else:
-        paths = None if responses is None else _with_entries(case, list(responses), command)
-        prepared = _Evaluation(parts_of(case._case.source), constants, columns, paths, command)
+        paths = None if responses is None else _with_entries(case, responses, command)
+        source = parts_of(case._case.source)
+        prepared = _Evaluation(source, constants, columns, responses or [], paths, command)
         rows = np.arange(count)
         show = progress_callback(progress)
         if on_error == "row":
             answered = prepared.each_row(rows, thread_count(threads), show)
         else:
             study = prepared.study(rows)
-            warn_of(study, 4)
+            warn_of(study)
             answered = prepared.answered(study, rows, thread_count(threads), show)
     origin = answered.origin
     assert origin is not None
@@ -522,10 +570,36 @@ def evaluate(
     return replace(answered, origin=replace(origin, command=str(command)))
 
 
-def warn_of(study: _engine.Study, level: int) -> None:
+def warn_of(study: _engine.Study) -> None:
     """Warns of inputs that overrides of the case make void."""
     for text in study.warnings:
-        warnings.warn(text, stacklevel=level)
+        warn_caller(text)
+
+
+def require_once(responses: Sequence[str]) -> None:
+    """Raises where a response is asked for a second time, alone or with its array."""
+    found: set[str] = set()
+    arrays: set[str] = set()
+    for k, path in enumerate(responses):
+        if not isinstance(path, str):
+            continue
+        array = _ENTRY.sub("", path)
+        if path in arrays or found & {path, array}:
+            raise InputError(
+                f"responses[{k}]: got {path} a second time; expected each path once; "
+                "delete one of them"
+            )
+        found.add(path)
+        arrays.add(array)
+
+
+def _place_asked(asked: Sequence[str], paths: Sequence[str], place: int) -> int:
+    """The place among the responses asked for of a path, where arrays have become entries."""
+    k = 0
+    for path in map(str, paths[: place + 1]):
+        while str(asked[k]) not in (path, _ENTRY.sub("", path)):
+            k += 1
+    return k
 
 
 def _columns(inputs: Any, finite: bool) -> tuple[list[str], dict[str, _Column]]:
@@ -641,30 +715,35 @@ _INDEXED = re.compile(r"inputs\['.*?'\]\[\d+\]: ")
 def told_of_arguments(
     error: InputProblem,
     inputs: Sequence[str],
-    responses: Sequence[str],
+    asked: Sequence[str],
+    paths: Sequence[str],
     command: str,
     case: Callable[[], Case],
     index_of: Callable[[str, str, str | None], int | None],
 ) -> str:
     """An error of a study as one of the arguments that it was made of.
 
-    `case` gives the case, where the reason is looked for; `index_of` gives the place of the value
-    of an input that an end or a level of its factor is.
+    `asked` are the responses as they were given, `paths` those of the study; `case` gives the case,
+    where the reason is looked for; `index_of` gives the place of the value of an input that an end
+    or a level of its factor is.
     """
     message = _message_of(error).replace(
         "`prs list responses FILE`", f'`case.responses("{command}")`'
     )
     if found := re.fullmatch(r"study\.responses\[(\d+)\]", error.path):
-        response = str(responses[int(found[1])])
+        response = str(paths[int(found[1])])
+        at = f"responses[{_place_asked(asked, paths, int(found[1]))}]"
+        if "expected a number of " not in message:  # It says already what is wrong.
+            return f"{at}: {message}"
         if reason := Reasons(case(), command).of(response):
-            return f"responses[{found[1]}]: got {response}; {reason}"
+            return f"{at}: got {response}; {reason}"
         near = [known for known in sorted(numbers_known()) if response in known]
         own = [known for known in near if command in commands_of(known)]
         if near and "did you mean" not in message:
             message = message.partition("; write for example")[0]
             message += f"; did you mean {', '.join(f'`{each}`' for each in (own or near)[:3])}"
             message += "?" if own else f' of command="{commands_of(near[0])[0]}"?'
-        return f"responses[{found[1]}]: {message}"
+        return f"{at}: {message}"
     if found := _FACTOR.match(error.path):
         path = inputs[int(found[1])]
         index = None if found[2] == "path" else index_of(path, found[3], found[4])
@@ -701,7 +780,8 @@ class _Evaluation:
     case: SourceParts
     constants: list[str]
     columns: dict[str, _Column]
-    responses: list[str] | None
+    asked: Sequence[str]  #: Responses as they were given.
+    responses: list[str] | None  #: With the entries of arrays.
     command: Command
 
     def parts(self, rows: npt.NDArray[np.int64]) -> SourceParts:
@@ -747,8 +827,9 @@ class _Evaluation:
             place = column.place_of(error.got, rows) if is_of_value else None
             at = "" if place is None else f"[{place}]"
             return f"inputs[{error.path!r}]{at}: {column.hinted(message)}"
+        inputs, paths = list(self.columns), self.responses or []
         return told_of_arguments(
-            error, list(self.columns), self.responses or [], self.command, self._base, index_of
+            error, inputs, self.asked, paths, self.command, self._base, index_of
         )
 
     def _base(self) -> Case:
@@ -786,7 +867,7 @@ class _Evaluation:
         finite = np.delete(rows, list(refused))
         for piece in self._pieces(finite, threads, refused) if finite.size else ():
             if not pieces:
-                warn_of(self.study(piece[0]), 5)
+                warn_of(self.study(piece[0]))
             pieces.append(piece)
             if show:
                 show(sum(len(designs) for _, designs in pieces) + len(refused), len(rows))
@@ -930,6 +1011,8 @@ def batches(inputs: Any, size: int) -> Iterator[Mapping[str, Any]]:
 def _columns_and_index(frame: Any) -> Iterator[tuple[Any, Any]]:
     """The columns of a frame, behind its index where that has a name or holds times."""
     index = getattr(frame, "index", None)
+    if len(frame) == 0:
+        raise ValueError("history: got a frame without rows; expected at least 2 rows")
     if index is None:
         pass
     elif index.dtype.kind in "mM":

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import sys
+import warnings
 from dataclasses import dataclass
 
 _LINE = re.compile(r"(?P<file>.*?):(?P<line>\d+):(?P<column>\d+): error: (?P<message>.*)")
@@ -101,6 +103,14 @@ class MissingFileError(InputError, FileNotFoundError):
 def input_error(text: str) -> InputError:
     """The error of that text; called by the engine."""
     return MissingFileError(text) if _NO_FILE.search(text) else InputError(text)
+
+
+def warn_caller(text: str) -> None:
+    """Warns at the line that called the package, however deep in it this is."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "rollerscrew":
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, stacklevel=level)
 
 
 InputError.__module__ = MissingFileError.__module__ = "rollerscrew"

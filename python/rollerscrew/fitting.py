@@ -7,6 +7,7 @@ from typing import Any
 
 from rollerscrew.case import Case
 from rollerscrew.results import FitResult
+from rollerscrew.values import checked
 
 
 def fit(
@@ -50,6 +51,10 @@ def fit(
     InputError
         Where a key, a path or a file is wrong.
     """
+    checked("case", case, Case, "a Case")
+    for name, entries in (("parameters", parameters), ("curves", curves)):
+        for k, entry in enumerate(checked(name, entries, Sequence, "a list of dictionaries")):
+            checked(f"{name}[{k}]", entry, Mapping, "a dictionary")
     named = [
         {"file": f"{curve.get('name', f'curve-{k + 1}')}.csv", **curve}
         for k, curve in enumerate(curves)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import threading
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,7 @@ from rollerscrew.designs import (
     _with_entries,
     designs_of,
     parts_of,
+    require_once,
     source_of,
     told_of_arguments,
     warn_of,
@@ -29,7 +30,7 @@ from rollerscrew.errors import InputError
 from rollerscrew.reasons import commands_of
 from rollerscrew.record import some_of
 from rollerscrew.records import Command
-from rollerscrew.values import number_text, override_text
+from rollerscrew.values import _MOST_EXACT, checked, number_text, override_text
 
 if TYPE_CHECKING:
     from rollerscrew.case import Case
@@ -71,12 +72,24 @@ class Function:
         inputs: Sequence[str] | Mapping[str, str],
         responses: Sequence[str],
         command: Command = "solve",
+        *,
+        asked: Sequence[str] | None = None,
     ) -> None:
         for name, given in (("inputs", inputs), ("responses", responses)):
             if isinstance(given, str):
                 raise TypeError(f"{name}: got {given!r}; expected a list such as [{given!r}]")
+            checked(name, given, Iterable, "a list of paths")
             if not given:
                 raise ValueError(f"{name}: got none; expected a list of paths")
+        #: Responses as they were given, with those of other commands.
+        self._given = responses if asked is None else asked
+        require_once(self._given)
+        for path in inputs:
+            try:
+                case[path]
+            except KeyError as error:
+                why = str(error.args[0]).removeprefix(f"{path!r}: ")
+                raise InputError(f"inputs[{path!r}]: {why}") from None
         self._case = case
         self._parts: SourceParts = parts_of(case._case.source)
         self.inputs = tuple(inputs)
@@ -95,7 +108,7 @@ class Function:
         }
         self._lock = threading.Lock()
         self._study = self._compiled()
-        warn_of(self._study, 4)
+        warn_of(self._study)
         self.responses: tuple[str, ...] = tuple(self._responses)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -241,7 +254,8 @@ class Function:
     ) -> tuple[_engine.Study, npt.NDArray[np.float64]]:
         numbers = rows.copy()
         for k, known in self._counts.items():
-            wrong = rows[:, k] != np.round(rows[:, k])
+            # NaN, too, is not less.
+            wrong = ~(np.abs(rows[:, k]) < _MOST_EXACT) | (rows[:, k] != np.round(rows[:, k]))
             if wrong.any():
                 raise ValueError(
                     f"{self.inputs[k]}: got {rows[wrong, k][0]}; expected whole numbers"
@@ -289,6 +303,7 @@ class Function:
                 told_of_arguments(
                     each,
                     self.inputs,
+                    self._given,
                     self._responses,
                     str(self.command),
                     lambda: self._case,
@@ -352,11 +367,12 @@ def function_of(
         asked = {command or "solve": responses}
     else:
         asked = {}
-        for path in responses:
+        for path in checked("responses", responses, Iterable, "a list of paths"):
             homes = commands_of(path) if isinstance(path, str) else ("solve",)
             own = "solve" if "solve" in homes else homes[0]
             asked[own] = [*asked.get(own, ()), path]
-    functions = [Function(case, inputs, paths, of) for of, paths in asked.items()]
+    given = None if isinstance(responses, Mapping) else list(responses)
+    functions = [Function(case, inputs, paths, of, asked=given) for of, paths in asked.items()]
     if len(functions) == 1:
         return functions[0]
     ordered = [path for paths in asked.values() for path in paths]

@@ -53,7 +53,12 @@ def _readiness(checked: CheckResult) -> str:
         if state["ready"]:
             ready.append(command)
         else:
-            lacks.append(f"{command} (lacks {', '.join(state['missing'])})")
+            why = [
+                f"{said} {', '.join(state[key])}"
+                for key, said in (("missing", "lacks"), ("wrong", "to change:"))
+                if key in state
+            ]
+            lacks.append(f"{command} ({'; '.join(why)})")
     return html.escape(f"ready for {', '.join(ready)}; not for {', '.join(lacks) or 'none'}")
 
 

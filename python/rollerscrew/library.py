@@ -9,8 +9,9 @@ from __future__ import annotations
 import json
 import os
 import re
+import reprlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
@@ -22,12 +23,14 @@ from rollerscrew.values import is_quantity, is_with_unit, override_text
 if TYPE_CHECKING:
     import pandas as pd
 
+Type = Literal["standard", "inverted", "recirculating"]
+
 #: A number with its unit: `"25 mm"`, `(25, "mm")` or a quantity of pint.
 Length = Any
 
 
 def new(
-    type: Literal["standard", "inverted", "recirculating"] = "standard",
+    type: Type = "standard",
     screw_diameter: Length | None = None,
     lead: Length | None = None,
     *,
@@ -73,6 +76,9 @@ def new(
     Case
     """
     given = dict(locals())
+    if type not in get_args(Type):
+        known = ", ".join(get_args(Type))
+        raise InputError(f"type: got {reprlib.repr(type)}; expected one of {known}")
     options: list[str] = []
     for name, value in given.items():
         if name != "type" and value is not None:
@@ -148,7 +154,7 @@ def configurations(
     lead: Length | None = None,
     *,
     nut_diameter: Length | None = None,
-    type: Literal["standard", "inverted", "recirculating"] | None = None,
+    type: Type | None = None,
     starts: int | None = None,
     roller_starts: int | None = None,
     rollers: int | None = None,
@@ -234,10 +240,11 @@ def _answer(*arguments: str) -> str:
 def _as_arguments(text: str) -> str:
     """What the program says of its options, as an error of Python's arguments."""
     text = re.sub(r"; see `prs help \w+`", "", text)
+    text = re.sub(r"; expected `prs [^`]*`", "; expected it as an argument", text)
     text = text.replace("`prs list lubricants`", "`rollerscrew.lubricants()`")
     text = text.replace("TYPE: ", "type: ").replace(", then the FILE", "")
     text = re.sub(r'`--([a-z-]+) "', lambda found: f'`{found[1].replace("-", "_")}="', text)
-    return re.sub(r"--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_"), text)
+    return re.sub(r"(?<!got )--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_"), text)
 
 
 def _shared(name: str) -> Path:

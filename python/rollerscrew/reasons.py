@@ -11,7 +11,7 @@ import numpy as np
 
 from rollerscrew import _engine
 from rollerscrew.errors import InputError
-from rollerscrew.record import Record
+from rollerscrew.record import Record, some_of
 
 if TYPE_CHECKING:
     from rollerscrew.case import Case
@@ -184,6 +184,11 @@ class Reasons:
 
     def of(self, path: str) -> str:
         """`write command="life"`, `needs ..`; empty for a path that no command knows."""
+        if found := _OF_LOAD_CASE.match(path):
+            cases = self._input.get("load_cases", [])
+            names = [str(each.get("name", k)) for k, each in enumerate(cases)]
+            if names and found[1] not in (*names, *map(str, range(len(names)))):
+                return f"expected one of the {len(names)} load cases, from 0: {some_of(names)}"
         homes = commands_of(path)
         for command in (*homes, *COMMANDS):
             answer = self.answer(command) if command != self._command else None

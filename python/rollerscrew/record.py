@@ -54,6 +54,7 @@ def some_of(names: Sequence[str]) -> str:
 #: Names with one underscore before them.
 _PRIVATE = re.compile(r"_(?!_)")
 
+
 def _no_numbers(count: int) -> npt.NDArray[np.float64]:
     """So many missing numbers, where the document has a list without entries or of null."""
     numbers = np.full(count, np.nan)
@@ -552,7 +553,7 @@ class Result(Record):
         `path` is that of the quantity or its end: `slip.efficiency`, `efficiency`. Without one: all
         quantities of the result.
         """
-        return explanation(path, self.keys())
+        return explanation(checked_text("path", path), self.keys())
 
     def _repr_html_(self) -> str:
         from rollerscrew.html import result_html

@@ -965,6 +965,7 @@ class HottestThread(Record):
     power_W [W]: power that friction takes there
     power_density_W_per_mm2 [W/mm²]: power over its ellipse
     roller: from 1; of a full mechanism
+    of_nut: 1 | 2, of a double nut
     """
 
     __slots__ = ()
@@ -973,6 +974,7 @@ class HottestThread(Record):
     power_W: float | None
     power_density_W_per_mm2: float
     roller: int | None
+    of_nut: int | None
 
 
 class EqualShareSlip(Record):
@@ -1032,7 +1034,7 @@ class InterfaceSlip(Record):
 class SecondNut(Record):
     """Slip of the rollers of a second nut.
 
-    converged: whether there is an answer
+    converged: whether there is an answer: a slip ratio, or at rest `holding`
     status: how the search for the slip ratio ended
     evaluations: of the roller's moment balance
     relative_residue: moment on a roller over radius and normal load; Sandu 2018, (3.38)
@@ -1136,7 +1138,7 @@ class Holding(Record):
 class Slip(Record):
     """Stationary slip of a load case: Sandu 2018, chapters 2 and 3.
 
-    converged: whether there is an answer
+    converged: whether there is an answer: a slip ratio, or at rest `holding`
     status: how the search for the slip ratio ended
     evaluations: of the roller's moment balance
     relative_residue: moment on a roller over radius and normal load; Sandu 2018, (3.38)
@@ -2925,7 +2927,7 @@ class Relaxation(Record):
 
     criterion: that is missed
     rank: of the candidate
-    limit: as it is, in the unit of the criterion
+    limit: as it is, in the unit of the criterion; of the brake its torque, N m
     needed: with which this candidate passes
     margin: as it is
     """

@@ -44,6 +44,6 @@ def size(
     source = (
         _source(_FILE, case_text(requirement), overrides, _folder(_FILE))
         if isinstance(requirement, Mapping)
-        else _engine.Source.load(_file_name(requirement), overrides)
+        else _engine.Source.load(_file_name(requirement, "requirement"), overrides)
     )
     return SizeResult(_engine.size(source))

@@ -34,12 +34,17 @@ def _rows(*arguments: npt.ArrayLike) -> tuple[Array, tuple[int, ...]]:
 
 
 def contact_modulus(
-    youngs_modulus_1: float, poisson_ratio_1: float, youngs_modulus_2: float, poisson_ratio_2: float
-) -> float:
-    """E* [Pa] of two bodies: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2."""
-    return _engine.contact_modulus(
-        youngs_modulus_1, poisson_ratio_1, youngs_modulus_2, poisson_ratio_2
-    )
+    youngs_modulus_1: npt.ArrayLike,
+    poisson_ratio_1: npt.ArrayLike,
+    youngs_modulus_2: npt.ArrayLike,
+    poisson_ratio_2: npt.ArrayLike,
+) -> Array:
+    """E* [Pa] of two bodies: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2; E > 0, -1 < nu <= 0.5."""
+    table, shape = _rows(youngs_modulus_1, poisson_ratio_1, youngs_modulus_2, poisson_ratio_2)
+    moduli = np.array([_engine.contact_modulus(*row) for row in table])
+    youngs, poisson = table[:, ::2], table[:, 1::2]
+    has_answer = ((youngs > 0.0) & (poisson > -1.0) & (poisson <= 0.5)).all(axis=1)
+    return np.where(has_answer, moduli, np.nan).reshape(shape)
 
 
 def hertz(
@@ -54,10 +59,13 @@ def hertz(
         delta = 3 N K/(2 pi a E*),       N = k_0 delta^1.5,
 
     with the elliptic integrals of m = 1 - (b/a)^2; Sandu 2018, (1.80) to (1.83). E* [Pa] is
-    `contact_modulus`, N [N] the normal load. Smooth half-spaces, a and b small against the radii.
+    `contact_modulus`, N >= 0 [N] the normal load. Smooth half-spaces, a and b small against the
+    radii.
     """
     table, shape = _rows(kappa_1, kappa_2, contact_modulus, normal_load)
-    return Hertz(*(column.reshape(shape) for column in _engine.hertz(table).T))
+    answers = np.array(_engine.hertz(table))
+    answers[~(table[:, 3] >= 0.0), 2:] = np.nan
+    return Hertz(*(column.reshape(shape) for column in answers.T))
 
 
 def central_film(
@@ -82,7 +90,8 @@ def central_film(
         viscosity, pressure_viscosity, rolling_speed, normal_load, curvature, contact_modulus,
         curvature_ratio,
     )  # fmt: skip
-    return _engine.film(table)[:, 0].reshape(shape)
+    has_answer = (table[:, 2] >= 0.0) & (table[:, 6] > 0.0) & (table[:, 6] <= 1.0)
+    return np.where(has_answer, _engine.film(table)[:, 0], np.nan).reshape(shape)
 
 
 def friction_coefficient(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import operator
 import re
 import reprlib
 from collections.abc import Mapping
@@ -46,8 +47,7 @@ def is_quantity(value: Any) -> bool:
 
 def checked_text(what: str, text: Any) -> str:
     """The text, as one that UTF-8 can hold."""
-    if not isinstance(text, str):
-        raise TypeError(f"{what}: got {reprlib.repr(text)}; expected a text")
+    checked(what, text, str, "a text")
     try:
         text.encode()
     except UnicodeEncodeError as error:
@@ -56,6 +56,23 @@ def checked_text(what: str, text: Any) -> str:
             "expected text that can be written in UTF-8"
         ) from None
     return str.__str__(text)
+
+
+def checked(what: str, value: Any, kind: Any, expected: str) -> Any:
+    """The value of an argument, which is of a kind."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{what}: got {reprlib.repr(value)}; expected {expected}")
+    return value
+
+
+def place_among(count: int, what: str, place: Any) -> int:
+    """A place among so many, from 0, or from -1 backwards."""
+    if not hasattr(place, "__index__"):
+        raise TypeError(f"{what}: got {reprlib.repr(place)}; expected a place, counted from 0")
+    index = operator.index(place)
+    if not -count <= index < count:
+        raise IndexError(f"{what}: got {place}; there are {count}, counted from 0")
+    return range(count)[index]
 
 
 def number_text(number: float) -> str:

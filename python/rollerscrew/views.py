@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, Unpack
 import numpy as np
 
 from rollerscrew import _engine
-from rollerscrew.designs import Designs, study_designs
+from rollerscrew.designs import Designs, as_counts, study_designs
 from rollerscrew.frames import Kinds, array_kinds, flat, frame_of, kinds_of
 from rollerscrew.record import Look, Record, Result, Values
 from rollerscrew.records import (
@@ -40,6 +40,7 @@ from rollerscrew.records import (
     Model,
     Preload,
     PreloadPoint,
+    ReferenceModel,
     Response,
     RollerLives,
     SizeCriterion,
@@ -47,6 +48,7 @@ from rollerscrew.records import (
     Slip,
     Threads,
 )
+from rollerscrew.values import place_among
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -175,7 +177,7 @@ class LoadCasesResult(Result):
     def _place(self, which: int | str) -> int:
         names = [load_case.name for load_case in self._load_cases]
         if not isinstance(which, str):
-            return range(len(names))[which]
+            return place_among(len(names), "load_case", which)
         if which not in names:
             raise KeyError(f"no load case {which!r}; there is {', '.join(names) or 'none'}")
         return names.index(which)
@@ -187,7 +189,7 @@ class LoadCasesResult(Result):
     def _places(self, which: Which | None) -> list[int] | None:
         if which is None:
             return None
-        chosen = [which] if isinstance(which, str | int) else which
+        chosen = which if isinstance(which, Iterable) and not isinstance(which, str) else [which]
         return [self._place(each) for each in chosen]
 
     def load_cases_frame(self) -> pd.DataFrame:
@@ -322,6 +324,8 @@ class SolveViews(LoadCasesResult):
         self, interface: str = "screw", ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
         """Share of each thread against the load: they spread like wings as the load grows."""
+        if interface not in INTERFACES:
+            raise ValueError(f"interface: got {interface!r}; expected 'screw' or 'nut'")
         return self.plot_figure("butterfly", ax, **look, interface=interface)
 
     def plot_convergence(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
@@ -515,8 +519,6 @@ class CompareViews(Result):
 
     def references_frame(self) -> pd.DataFrame:
         """Deviations of each model from each reference, one row each."""
-        import pandas as pd
-
         own = ("name", "load_case", "response", "unit")
         rows = [
             {key: reference[key] for key in own} | dict(flat(model))
@@ -525,7 +527,7 @@ class CompareViews(Result):
         ]
         for row in rows:  # A word, since some models are held against no tolerance.
             row["met"] = ("met" if row["met"] else "not met") if "met" in row else ""
-        return pd.DataFrame(rows) if rows else pd.DataFrame(columns=[*own, "model", "met"])
+        return frame_of(rows, {**dict.fromkeys(own, str), **kinds_of(ReferenceModel), "met": str})
 
     def plot_references(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """References as points and models as lines, one panel per load case and response."""
@@ -542,7 +544,8 @@ class CompareViews(Result):
 
     def plot_loads(self, load_case: int = 0, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The share of each thread in a load case, one line per model."""
-        return self.plot_figure("loads_by_model", ax, **look, load_case=load_case)
+        place = place_among(len(self.comparison.load_cases), "load_case", load_case)
+        return self.plot_figure("loads_by_model", ax, **look, load_case=place)
 
 
 class PreloadViews(Result):
@@ -924,7 +927,7 @@ def _inputs_of_document(study: Record, rows: list[Record]) -> pd.DataFrame:
 
     settings = [row["settings"].to_dict() for row in rows]
     uses = Counter(study["responses"])
-    columns = {}
+    columns: dict[str, Any] = {}
     for factor in study["factors"]:
         inputs = [factor, *factor.get("with", [])]
         paths = {drawn["path"] for drawn in inputs}
@@ -941,8 +944,8 @@ def _inputs_of_document(study: Record, rows: list[Record]) -> pd.DataFrame:
             uses[name] += 1
             if uses[name] > 1:
                 name += f"_{uses[name]}"
-            key, missing = ("number", np.nan) if numeric else ("value", None)
-            columns[name] = [value.get(key, missing) for value in values]
+            found = [value.get("number" if numeric else "value") for value in values]
+            columns[name] = as_counts(name, np.array(found, dtype=float)) if numeric else found
     return pd.DataFrame(columns)
 
 
@@ -975,7 +978,8 @@ class OptimizationViews(Result):
     def front_frame(self) -> pd.DataFrame:
         """Variables and responses of the designs of the front: columns of `front.csv`.
 
-        The front is that of both searches, where there is a check.
+        Its column `compromise` is not among them, `compromise.design` of the result is that
+        design. The front is that of both searches, where there is a check.
         """
         tried = {
             design["design"]: design

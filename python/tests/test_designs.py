@@ -865,3 +865,59 @@ def test_xarrays_have_the_index_of_a_frame_and_titles_of_whole_arrays() -> None:
     both = lesson(1).evaluate(frame.set_axis(levels), [STIFFNESS]).to_xarray()
     assert both["family"].values.tolist() == ["x", "x", "y"]
     assert both["level_1"].values.tolist() == [1, 2, 1]
+
+
+def test_threads_of_xarrays_have_the_numbers_of_the_paths() -> None:
+    paths = ["screw.load_rate_percent[19]", "screw.load_rate_percent[0]"]
+    paths += [f"nut.load_rate_percent[{k}]" for k in (0, 4)]
+    designs = lesson(1).evaluate({FORCE: ([10.0, 20.0], "kN")}, paths)
+    maps = designs.to_xarray()
+    assert maps.thread.values.tolist() == [1, 5, 20]
+    np.testing.assert_array_equal(
+        maps["screw.load_rate_percent"].sel(thread=[20, 1]), designs.values[:, :2]
+    )
+    assert np.isnan(maps["nut.load_rate_percent"].sel(thread=20)).all()
+    shares = answer(16, "study", rs.StudyResult).all_designs.to_xarray()
+    assert np.isfinite(shares["nut.load_rate_percent"].sel(thread=20)).all()
+
+
+def test_arrays_over_something_else_have_a_dimension_of_their_own() -> None:
+    names = ["response.position_mm[0]", "response.position_mm[7]"]
+    maps = lesson(34).evaluate({FORCE: ([10.0], "kN")}, names, command="response").to_xarray()
+    assert maps["response.position_mm"].dims[-1] == "response.position_mm_index"
+    assert maps["response.position_mm_index"].values.tolist() == [0, 7]
+    full = lesson(33).evaluate(
+        {FORCE: ([4.0], "kN")}, ["screw.roller_share_percent", "screw.load_rate_percent[1]"]
+    )
+    assert full.to_xarray()["screw.roller_share_percent"].dims[-1].endswith("_index")
+    assert full.to_xarray()["screw.load_rate_percent[1]"].thread.values.tolist() == [*range(1, 7)]
+
+
+def test_many_inputs_that_are_no_grid_take_no_memory() -> None:
+    generator = np.random.default_rng(3)
+    frame = pd.DataFrame({f"x{k}": generator.random(1000) for k in range(8)})
+    values = generator.random((1000, 1))
+    text = np.full(1000, "converged", dtype=object)
+    maps = Designs(frame, (STIFFNESS,), values, text, text).to_xarray()
+    assert maps.sizes == {"design": 1000}
+    assert maps["x7"].dims == ("design",)
+
+
+def test_counts_of_a_document_are_integers() -> None:
+    result = answer(10, "study", rs.StudyResult)
+    again = rs.StudyResult.from_json(result.to_json())
+    assert result.to_frame().dtypes.equals(again.to_frame().dtypes)
+    assert again.to_frame()["mechanism.rollers"].dtype == np.int64
+
+
+def test_progress_of_slow_designs() -> None:
+    told: list[tuple[int, int]] = []
+    lesson(33).evaluate(
+        {FORCE: (np.linspace(3.0, 5.0, 40), "kN")},
+        ["axial_displacement_um"],
+        threads=1,
+        progress=lambda done, of: told.append((done, of)),
+    )
+    done = [each for each, _ in told]
+    assert {of for _, of in told} == {40} and done == sorted(done)
+    assert len(set(done)) > 1 and done[-1] == 40

@@ -403,3 +403,20 @@ def test_results_write_the_report_of_their_case(tmp_path: Path) -> None:
     pages = [(tmp_path / f"{name}.html").read_text() for name in ("result", "case", "read")]
     stiffness = f"{solved.load_cases[0].axial_stiffness_N_per_um:.1f}"
     assert all(stiffness in page for page in pages)
+
+
+def test_what_cannot_be_written_is_an_error_of_the_system(case: rs.Case, tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="cannot write"):
+        case.export_fmu(tmp_path / "no folder" / "screw.fmu", force=LARGEST)
+    (tmp_path / "folder.mo").mkdir()
+    with pytest.raises(OSError, match="cannot write"):
+        case.export_modelica(tmp_path / "folder.mo", force=LARGEST)
+
+
+def test_wrong_options_name_the_argument(case: rs.Case, tmp_path: Path) -> None:
+    force: Any = "5 kN"
+    with pytest.raises(ValueError, match="force: got '5 kN'; expected a finite number > 0"):
+        case.export_fmu(tmp_path / "screw.fmu", force=force)
+    load_case: Any = 5
+    with pytest.raises(TypeError, match="load_case: got 5; expected a text"):
+        case.export_fmu(tmp_path / "screw.fmu", load_case=load_case)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -96,3 +97,17 @@ def test_says_what_the_data_hardly_tell(bench: rs.Case) -> None:
     drag = "hardly identified: its interval contains zero"
     assert frame.loc["carrier.screw_torque", "note"] == drag
     assert f"carrier.screw_torque: {drag}" in repr(result)
+
+
+def test_what_is_no_data_is_refused(bench: rs.Case) -> None:
+    wrong: Any = 5
+    with pytest.raises(TypeError, match="data: got 5; expected readings by the names"):
+        bench.fit(wrong)
+    with pytest.raises(TypeError, match=r"data\['torque'\]: got 5; expected a frame, or arrays"):
+        bench.fit({"torque": wrong})
+    with pytest.raises(TypeError, match="case: got 5; expected a Case"):
+        rs.fit(wrong, [], [])
+    with pytest.raises(TypeError, match="parameters: got 5; expected a list of dictionaries"):
+        rs.fit(bench, wrong, [])
+    with pytest.raises(TypeError, match=r"curves\[0\]: got 'a'; expected a dictionary"):
+        rs.fit(bench, [], "abc")  # type: ignore[arg-type]

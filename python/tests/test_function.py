@@ -233,6 +233,11 @@ def test_errors_of_functions_name_the_argument() -> None:
         lesson(1).function([FORCE], [STIFFNESS], command="preload")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="inputs: got none"):
         lesson(1).function([], [STIFFNESS])
+    five: Any = 5
+    with pytest.raises(TypeError, match="inputs: got 5; expected a list of paths"):
+        lesson(1).function(five, [STIFFNESS])
+    with pytest.raises(TypeError, match="responses: got 5; expected a list of paths"):
+        lesson(1).function([FORCE], five)
     with pytest.raises(ValueError, match="responses: got none"):
         lesson(1).function([FORCE], [])
 
@@ -360,3 +365,35 @@ def test_functions_over_several_commands() -> None:
         case.function([FORCE], {"solve": []})
     with pytest.raises(TypeError, match="command: got 'solve' beside"):
         case.function([FORCE], {"solve": [STIFFNESS]}, "solve")
+
+
+def test_warnings_are_of_the_line_that_calls() -> None:
+    with pytest.warns(UserWarning, match="moves no load") as warned:
+        lesson(1).function([ANGLE], [STIFFNESS])
+        rs.Function(lesson(1), [ANGLE], [STIFFNESS])
+        lesson(1).evaluate({ANGLE: ([44.0], "deg")}, [STIFFNESS], on_error="row")
+    assert [warning.filename for warning in warned] == [__file__] * 3
+
+
+def test_responses_that_are_wrong_have_their_place_among_those_asked_for() -> None:
+    case, loads = lesson(9), "screw.load_rate_percent"
+    with pytest.raises(rs.InputError, match=r"^responses\[2\]: got foo; expected a number"):
+        case.function([FORCE], ["slip.efficiency", STIFFNESS, "foo"])
+    with pytest.raises(rs.InputError, match=r"^responses\[1\]: got foo; expected a number"):
+        case.evaluate({"mechanism.rollers": [9]}, [loads, "foo"])
+    with pytest.raises(rs.InputError, match=r"^responses\[2\]: got slip.efficiency a second time"):
+        case.function([FORCE], [STIFFNESS, "slip.efficiency", "slip.efficiency"])
+    for again in ([STIFFNESS, STIFFNESS], [loads, f"{loads}[3]"], [f"{loads}[3]", loads]):
+        with pytest.raises(rs.InputError, match=r"^responses\[1\]: got .* a second time; expected"):
+            case.evaluate({"mechanism.rollers": [9]}, again)
+    assert len(case.evaluate({"mechanism.rollers": [9]}, [f"{loads}[3]", f"{loads}[4]"])) == 1
+
+
+def test_inputs_that_are_none_are_errors_of_input() -> None:
+    for path in ("mechanism.leed", "load_cases[9].axial_force", ""):
+        with pytest.raises(rs.InputError, match=r"^inputs\['.*'\]: ") as raised:
+            lesson(1).function([path], [STIFFNESS])
+        assert raised.value.path == path or not path
+    for number in (np.inf, np.nan, 1e300):
+        with pytest.raises(ValueError, match=r"mechanism.rollers: got .*; expected whole numbers"):
+            lesson(1).function(["mechanism.rollers"], [STIFFNESS])([number])

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 import rollerscrew as rs
 from conftest import Run, answer, lesson, lessons
@@ -145,8 +147,6 @@ def test_histories_of_arrays() -> None:
     case = lesson(14)
     result = case.life(history=history)
     assert result.converged
-    import pandas as pd
-
     frame = pd.DataFrame({"force_kN": force, "position_mm": x})
     assert case.life(history=frame).life == result.life
     time = frame.assign(time_s=0.5 * np.arange(601.0))
@@ -283,3 +283,68 @@ def test_cases_load_cases_and_searches_are_shown() -> None:
     assert load_case.screw is not None and "50 numbers from" in load_case.screw._repr_html_()
     assert "<th>design</th>" in answer(23, "optimize")._repr_html_()
     assert "standard_deviation" in answer(16, "study")._repr_html_()
+
+
+@pytest.mark.parametrize("number", [7, 8, 41])
+def test_what_a_case_must_change_is_shown(number: int) -> None:
+    case = lesson(number)
+    wrong = [name for name, state in case.check().commands.items() if "wrong" in state]
+    for shown in (case._repr_html_(), case.check()._repr_html_()):
+        assert wrong and all(f"{name} (" in shown for name in wrong) and "to change: " in shown
+
+
+@pytest.mark.parametrize("kind", [None, 5, "--help", "-x", "nope"])
+def test_types_that_are_none_are_refused(kind: Any) -> None:
+    with pytest.raises(rs.InputError, match="type: got .*; expected one of standard, inverted"):
+        rs.new(kind)
+
+
+def test_errors_of_the_program_are_of_arguments() -> None:
+    with pytest.raises(rs.InputError, match="^lead is missing; expected it as an argument$"):
+        rs.configurations("24 mm")
+    with pytest.raises(rs.InputError, match="screw_diameter: got --help; expected a length"):
+        rs.new("standard", "--help", "5 mm")
+
+
+FIVE: Any = 5
+WRONG: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
+    "explore": (lambda: rs.explore(FIVE), TypeError, "case: got 5; expected a Case"),
+    "size": (lambda: rs.size(FIVE), TypeError, "requirement: got 5; expected a path"),
+    "draw": (lambda: rs.plots.draw({}), TypeError, "description: got {}; expected one of"),
+    "number": (lambda: lesson(1).number("mechanism.lead", FIVE), TypeError, "unit: got 5; expect"),
+    "explain": (lambda: answer(1, "solve").explain(FIVE), TypeError, "path: got 5; expected"),
+    "report": (lambda: lesson(1).report("x", results=FIVE), TypeError, "results: got 5; expected"),
+    "place": (lambda: solved().load_case(99), IndexError, "load_case: got 99; there are 6"),
+    "half": (lambda: solved().load_case(FIVE / 2), TypeError, "load_case: got 2.5; expected a pl"),
+    "ellipses": (lambda: solved().plot_ellipses(99), IndexError, "load_case: got 99; there are 6"),
+    "pressures": (lambda: solved().plot_pressures(FIVE / 2), TypeError, "load_case: got 2.5"),
+    "interface": (lambda: solved().plot_butterfly("foo"), ValueError, "interface: got 'foo'; exp"),
+    "models": (lambda: compared().plot_loads(99), IndexError, "load_case: got 99; there are 6"),
+    "design": (lambda: designs().case(5), IndexError, "design: got 5; there are 1"),
+    "best": (lambda: designs().best(FIVE), TypeError, "response: got 5; expected a text"),
+    "history": (lambda: lesson(4).life(history=no_rows()), ValueError, "history: got a frame with"),
+}
+
+
+def solved() -> rs.SolveResult:
+    return answer(1, "solve", rs.SolveResult)
+
+
+def compared() -> rs.CompareResult:
+    return answer(1, "compare", rs.CompareResult)
+
+
+def designs() -> rs.Designs:
+    return lesson(1).evaluate({"mechanism.rollers": [9]}, ["axial_stiffness_N_per_um"])
+
+
+def no_rows() -> pd.DataFrame:
+    return pd.DataFrame({"force_kN": []}, index=pd.DatetimeIndex([]))
+
+
+@pytest.mark.filterwarnings("ignore:the page is static")
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_calls_name_the_argument(name: str) -> None:
+    call, error, message = WRONG[name]
+    with pytest.raises(error, match=message):
+        call()

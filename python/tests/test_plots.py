@@ -594,7 +594,7 @@ def test_pictures_survive_in_json() -> None:
 
 REFUSED: dict[str, tuple[Callable[[], object], str]] = {
     "butterfly": (lambda: result(1, "solve").plot_butterfly(), "sweep"),
-    "interface": (lambda: result(3, "solve").plot_butterfly("roller"), "interface: .roller"),
+    "interface": (lambda: result(3, "solve").plot_butterfly("roller"), "interface: got 'roller'"),
     "no grid": (lambda: result(10, "study").plot_map(), "grid"),
     "no envelope": (lambda: result(16, "study").plot_envelope(), "envelope"),
     "no surface": (lambda: result(16, "study").plot_contributions(), "samples"),

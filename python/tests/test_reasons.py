@@ -98,3 +98,13 @@ def test_a_reason_names_the_input() -> None:
     needs = lesson(37).responses("measures").set_index("path")["needs"]
     assert needs["measures.critical_speed_rpm"] == "needs `measures.shaft`"
     assert needs["life.system.l10_hours"] == 'needs `life`; write command="life"'
+
+
+def test_places_that_are_none_say_how_many_there_are() -> None:
+    for place in ("9", "foo"):
+        with pytest.raises(rs.InputError, match="expected one of the 6 load cases, from 0: conf"):
+            lesson(1).evaluate(N, [f"load_cases[{place}].axial_stiffness_N_per_um"])
+    with pytest.raises(rs.InputError, match=r"load_rate_percent\[99\]; expected an entry .* 20;"):
+        lesson(1).evaluate(N, ["screw.load_rate_percent[99]"])
+    with pytest.raises(rs.InputError, match="a row for each roller; expected a number or one row"):
+        lesson(33).evaluate(N, ["screw.load_rate_percent"])

@@ -1,5 +1,7 @@
 """References: `Case.compare` with data in place of files."""
 
+from typing import Any
+
 import matplotlib as mpl
 import numpy as np
 import pandas as pd
@@ -77,3 +79,23 @@ def test_a_picture_has_the_points_of_the_reference() -> None:
         for line in lines
     )
     case.compare(data).plot_references()
+
+
+def test_options_without_a_reference_are_refused() -> None:
+    with pytest.raises(TypeError, match="tolerance, foo: got options of a reference, and no ref"):
+        lesson(1).compare(tolerance="nonsense", foo=3)
+
+
+@pytest.mark.parametrize("reference", [5, "x", [5]])
+def test_what_is_no_reference_is_refused(reference: Any) -> None:
+    with pytest.raises(TypeError, match="reference: got .*; expected a frame, or arrays"):
+        lesson(1).compare(reference)
+    with pytest.raises(TypeError, match=r"reference\['thread'\]: got 5; expected an array"):
+        lesson(1).compare({"thread": 5})
+
+
+def test_without_references_the_frame_has_its_columns() -> None:
+    case = lesson(1)
+    bare, full = case.compare().references_frame(), case.compare(table(case)).references_frame()
+    assert bare.empty and set(full.columns) <= set(bare.columns)
+    assert bare[full.columns].dtypes.equals(full.dtypes)

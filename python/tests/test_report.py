@@ -75,7 +75,7 @@ def test_holds_what_the_case_answers(own_case: rs.Case, page: Page) -> None:
 
 
 def test_what_cannot_be_written_is_an_error(own_case: rs.Case, tmp_path: Path) -> None:
-    with pytest.raises(RuntimeError, match=re.escape("cannot write")):
+    with pytest.raises(FileNotFoundError, match=re.escape("cannot write")):
         own_case.report(tmp_path / "no folder" / "report.html")
 
 

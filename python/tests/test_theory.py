@@ -67,3 +67,19 @@ def test_what_has_no_answer_is_not_a_number() -> None:
     assert theory.rating_life(1e5, 0.0) == np.inf
     assert np.isnan(theory.mean_load([1.0, 2.0], [0.0, 0.0]))
     assert np.isnan(theory.mean_load([1.0, 2.0], [-1.0, 5.0]))
+
+
+def test_moduli_of_arrays() -> None:
+    youngs = np.array([105e9, 210e9])
+    moduli = theory.contact_modulus(youngs, 0.3, youngs, 0.3)
+    np.testing.assert_allclose(moduli, youngs / (2.0 * (1.0 - 0.3**2)))
+    assert np.isnan(theory.contact_modulus([-1.0, 1.0, 1.0], [0.3, 0.6, -1.0], 1.0, 0.3)).all()
+
+
+def test_contacts_that_cannot_be_are_not_numbers() -> None:
+    pulled = theory.hertz(100.0, 50.0, 1e11, [0.0, -1.0])
+    assert np.isfinite(pulled.hertz_constant).all()
+    for values in pulled[2:]:
+        assert values[0] == 0.0 and np.isnan(values[1])
+    film = theory.central_film(0.1, 2e-8, [-1.0, 1.0], 100.0, 200.0, 115e9, [1.0, 2.0])
+    assert np.isnan(film).all()

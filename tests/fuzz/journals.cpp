@@ -86,7 +86,7 @@ void expect_deliverable(const StoredRows& rows) {
   const DocumentInfo info{"1", "1", "", {}, "study", "case.yaml", {}};
   const fs::path out = scratch_folder() / "out";
   fs::create_directories(out);
-  write_rows(rows, study, info, &out, 1, [&](const RowBlock& block, std::span<const double> inputs) {
+  write_rows(rows, study, &out, 1, [&](const RowBlock& block, std::span<const double> inputs) {
     add(result, block);
     analysis.add(block, inputs);
   });

@@ -163,6 +163,9 @@ struct SlipResult {
   /// nuts, all else belongs to the first one.
   std::shared_ptr<const SecondNut> second_nut;
 
+  /// Slip of the rollers that carry the load case's direction: of a double nut those of the second nut in tension.
+  const SlipResult& of_nut_that_carries(const LoadCase& load) const;
+
   bool converged() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }
   bool is_held() const { return status == SlipStatus::held; }
   bool has_answer() const { return converged() || is_held(); }
@@ -170,5 +173,9 @@ struct SlipResult {
 
 /// Slip of the rollers of the second nut, whose own `second_nut` is empty.
 struct SecondNut : SlipResult {};
+
+inline const SlipResult& SlipResult::of_nut_that_carries(const LoadCase& load) const {
+  return second_nut && load.direction == Direction::tension ? *second_nut : *this;
+}
 
 }  // namespace prs

@@ -65,9 +65,13 @@ def draw(
 
     Raises
     ------
+    TypeError
+        Where the description is none.
     ValueError
         Where a picture of several panels is drawn into axes, or these are given a width.
     """
+    if not isinstance(description, Mapping) or "panels" not in description:
+        raise TypeError(f"description: got {reprlib.repr(description)}; expected one of figures()")
     if color is None and ax is not None and was_drawn(ax):
         color = next_colour(ax)
     description = of_width(relabelled(description, label, color), width, ax)

@@ -91,6 +91,18 @@ TEST_F(NewCase, EveryScrewOfACatalogueRunsThroughAllCommandsNearTheMakersNumbers
   }
 }
 
+/// Heads of grooved rollers in guides with clearance have no load where none pushes them.
+TEST_F(NewCase, GroovedRollersRunInGuidesWithClearance) {
+  ASSERT_EQ(prs("new recirculating a.yaml --screw-diameter 25mm --lead 1mm --load 10kN --speed 300rpm").status, 0);
+  const auto efficiency = [&](const std::string& guidance) {
+    const test::Outcome run =
+        prs("slip a.yaml --json --set 'structure.roller.guidance={ring: 2e4 N/mm" + guidance + "}'");
+    EXPECT_EQ(run.status, 0) << run.err;
+    return nlohmann::json::parse(run.out)["load_cases"][0]["slip"]["efficiency"].get<double>();
+  };
+  EXPECT_NEAR(efficiency(", clearance: 20 um"), efficiency(""), 0.02);
+}
+
 TEST_F(NewCase, TheCaseAmongTheValidatedOnesIsOneOfThese) {
   EXPECT_EQ(prs("new standard " + kOf30 + "--starts 5 --nut-diameter 64mm --nut-length 85mm").out,
             test::content_of(PRS_SOURCE_DIR "/validation/standard_screws/screw_30x10.yaml"));
@@ -274,7 +286,9 @@ TEST_F(NewCase, ALessonComesWithTheFilesThatItReads) {
     EXPECT_EQ(text(file.c_str()), test::content_of(PRS_SOURCE_DIR "/configs/14_flight_spectrum.yaml"));
     EXPECT_EQ(prs("life " + file + " --quiet").status, 0);
   }
-  // The existing history prevents it.
+  // A history that stands there already serves another lesson; one of other content prevents it.
+  EXPECT_EQ(prs("new --lesson 14 by_14/second.yaml").status, 0);
+  std::ofstream(folder.path() / "by_14/14_flight_spectrum.csv") << "mine";
   const test::Outcome again = prs("new --lesson 14 by_14/other.yaml");
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("14_flight_spectrum.csv"));

@@ -51,19 +51,6 @@ TEST_F(WithoutModules, SparseMatricesAreCholmods) {
   }
 }
 
-TEST_F(WithoutModules, StudiesOnOneThreadWriteAllButNetcdf) {
-  const test::Outcome loud = run("study '" + file.string() + "' --threads 1 --output '" + folder.string() + "'");
-  EXPECT_THAT(loud.err, HasSubstr("prs: study.nc is not written: this needs netCDF, and "
-                                  "prs_netcdf.so is not next to the program; install libnetcdf-dev "
-                                  "and build prs again\n"));
-  const fs::path other = temporary.path() / "other";
-  const test::Outcome whole =
-      test::run_prs("study '" + file.string() + "' --threads 1 --output '" + other.string() + "' --quiet");
-  EXPECT_EQ(loud.status, whole.status);
-  EXPECT_EQ(test::content_of(folder / "study.csv"), test::content_of(other / "study.csv"));
-  EXPECT_FALSE(fs::exists(folder / "study.nc"));
-}
-
 TEST_F(WithoutModules, OneThreadIsTheDefaultWithoutTbb) {
   const test::Outcome outcome = study("");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -101,13 +88,6 @@ TEST_F(WithoutModules, FoundBesideTheProgramOrBelowLib) {
   }
 }
 
-TEST_F(WithoutModules, OneThatDoesNotLoadIsNoneThatIsMissing) {
-  std::ofstream(alone.parent_path() / "prs_netcdf.so") << "no library";
-  const test::Outcome run = study("--threads 1");
-  EXPECT_EQ(run.status, 1);
-  EXPECT_THAT(run.err, HasSubstr("prs: error: this needs netCDF, and prs_netcdf.so does not load: "));
-}
-
 TEST_F(WithoutModules, NamesTheLibraryThatAModuleLacks) {
   std::string module = test::content_of(fs::path(test::program()).parent_path() / "../../lib/prs/prs_tbb.so");
   const std::size_t name = module.find("libtbb.so");
@@ -129,8 +109,7 @@ std::string libraries(const std::string& arguments) {
 TEST(Modules, AreLoadedByRunsThatNeedThemOnly) {
   const std::string loaded = libraries("solve configs/01_config_1_to_3.yaml");
   EXPECT_THAT(loaded, HasSubstr("libstdc++"));
-  for (const char* name : {"libnetcdf", "libhdf5", "libpagmo", "libceres", "libtbb", "libboost"})
-    EXPECT_THAT(loaded, Not(HasSubstr(name)));
+  for (const char* name : {"libpagmo", "libceres", "libtbb", "libboost"}) EXPECT_THAT(loaded, Not(HasSubstr(name)));
 }
 
 }  // namespace

@@ -270,6 +270,15 @@ TEST(SystemCurves, WithoutFrictionTheTorqueIsThatOfTheLead) {
   EXPECT_THAT(sentences(curves.warnings), testing::Contains(HasSubstr("without friction")));
 }
 
+/// A table needs a speed; that of a screw at rest has none.
+TEST(SystemCurves, AtRestTheirTorqueIsToldToBeWithoutFriction) {
+  Case at_rest = of_friction("{coulomb: 0.08}");
+  at_rest.operation->speed = 0.0;
+  for (LoadCase& load : at_rest.load_cases) load.speed.reset();
+  EXPECT_THAT(sentences(system_curves(at_rest, {.force = 20e3}).warnings),
+              testing::Contains(testing::AllOf(HasSubstr("operation.speed"), HasSubstr("without friction"))));
+}
+
 TEST(SystemCurves, ReadBackFromTheirData) {
   const SystemCurves curves = system_curves(of_friction("{coulomb: 0.08}"), {.force = 20e3});
   std::vector<double> data = curves.data();

@@ -360,7 +360,7 @@ TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
   EXPECT_THAT(error_of(std::string("a: 1\nb: \0\n", 10)),
               StartsWith("case.yaml:2:4: error: got the byte 0x00; expected plain text in UTF-8"));
   EXPECT_THAT(error_of("a: \xFF\n"), StartsWith("case.yaml:1:4: error: got the byte 0xFF"));
-  EXPECT_THAT(error_of(""), HasSubstr("`prs new FILE` writes one"));
+  EXPECT_THAT(error_of(""), HasSubstr("`prs new FILE` writes a case"));
   EXPECT_THAT(error_of(kAbevi + "---\n" + kAbevi),
               StartsWith("case.yaml:27:1: error: got more text after the end of the document"));
 }
@@ -471,7 +471,7 @@ TEST(ReadCase, DeviationsOutOfProportionAreRefused) {
 
 TEST(ReadCase, ExamplesLieWithinTheirBounds) {
   EXPECT_THAT(error_of(kAbevi, {"roughness=5 mm"}, Command::check),
-              HasSubstr("write for example `roughness: 0.05 mm`"));
+              HasSubstr("write for example `roughness: 0.4 um`"));
   EXPECT_THAT(error_of(kAbevi, {"carrier={gear_pressure_angle: 60 deg}"}, Command::check),
               HasSubstr("write for example `gear_pressure_angle: 22.5 deg`"));
 }

@@ -3,6 +3,7 @@
 #include "prs/compare/compare_analysis.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
+#include "prs/record/table_layout.h"
 #include "prs/record/table_units.h"
 #include "support/sample_result.h"
 #include "support/text_lines.h"

@@ -108,6 +108,8 @@ TEST(SlipTable, EachNutOfADoubleNutHasItsRanges) {
   LoadCaseResult load_case = with_slip(solved_case("double", 45e3, Direction::tension));
   SecondNut second{*load_case.slip};
   for (double& value : second.threads.nut.friction_coefficient) value = 0.0123;
+  second.threads.nut.power_density[1] = 9e9;
+  second.hottest = {Interface::nut, 1};
   load_case.slip->second_nut = std::make_shared<SecondNut>(second);
   const std::string table = slip_table(result_of({load_case}));
   EXPECT_TRUE(contains(table, "threads of the first nut"));
@@ -115,6 +117,7 @@ TEST(SlipTable, EachNutOfADoubleNutHasItsRanges) {
   ASSERT_NE(at, std::string::npos) << table;
   EXPECT_TRUE(contains(table.substr(at), "0.0123")) << table;
   EXPECT_FALSE(contains(table, "over the threads"));
+  EXPECT_TRUE(contains(table, "nut 2, second nut")) << table;
 }
 
 TEST(SlipTable, RangeHasARowACaseAndFits) {

@@ -156,6 +156,8 @@ TEST(OptimizeReader, SaysWhatIsWrongWhereItStands) {
   EXPECT_THAT(with(objective + "  algorithm: nsga2"),
               HasSubstr("got nsga2 with 1 objective; expected one for a single one"));
   EXPECT_THAT(with(objective + "  check: sade"), HasSubstr("which searches already"));
+  EXPECT_THAT(with(objective + "  constraints: [{response: screw.peak_pressure_MPa.max, at_least: 5, at_most: 3}]"),
+              HasSubstr("constraints[0].at_most: got 3 beside at_least 5; expected limits between which"));
   EXPECT_THAT(with("  objectives: [{minimize: a}, {minimize: b}]\n  population: 21"),
               HasSubstr("got 21; expected a multiple of 4"));
   EXPECT_THAT(with("  objectives: [{minimize: a}, {minimize: a}]"), HasSubstr("a second time"));

@@ -1,4 +1,4 @@
-#include "prs/record/table_units.h"
+#include "prs/record/response_title.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

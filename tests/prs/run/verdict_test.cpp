@@ -400,6 +400,19 @@ TEST(Verdict, WhatCannotBeComputedIsNeverMet) {
 }
 
 /// The check makes no matrices; it reports equal shares that the case states.
+/// A stated slip ratio takes a force that is no loss, and a screw at rest has no film.
+TEST(Verdict, AStatedSlipRatioHasNoEfficiencyAndRestNoFilm) {
+  const Json imposed = criterion(verdict("09_slip_and_dissipation.yaml", {"operation.slip_ratio=0.37"}), "efficiency");
+  EXPECT_EQ(imposed["state"], "not_computed");
+  EXPECT_THAT(imposed["reason"], HasSubstr("stated slip ratio"));
+  const Json film =
+      criterion(verdict("09_slip_and_dissipation.yaml",
+                        {"operation.speed=0 rpm", "friction.model={coulomb: 0.1}", "roughness=0.4 um",
+                         "load_cases=[{name: hold, axial_force: 10 kN, direction: tension, position: 29 mm}]"}),
+                "film");
+  EXPECT_THAT(film["reason"], HasSubstr("at rest"));
+}
+
 TEST(Verdict, SaysWhereThreadLoadsAreNotSolved) {
   const Json equal = criterion(verdict("07_contact_geometry.yaml"), "static_safety");
   EXPECT_THAT(equal["reason"].get<std::string>(), testing::StartsWith("equal thread loads, "));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "prs/run/commands.h"
 #include "prs/size/size.h"
@@ -232,7 +233,25 @@ TEST(WrittenCandidate, WithoutASteadyStateHasNoTemperatures) {
       EXPECT_EQ(c.status, CriterionStatus::not_computed) << c.name;
       EXPECT_TRUE(c.reason.starts_with("no_steady_state: the parts heat up beyond 726.85 degC")) << c.reason;
     }
-  EXPECT_NO_THROW(criteria_of(input::source_of_text("written.yaml", written_candidate(result.input, candidate), {})));
+  const auto found = criteria_of(input::source_of_text("written.yaml", written_candidate(result.input, candidate), {}));
+  for (const char* name : {"temperature", "efficiency", "life", "static_safety", "convergence"})
+    EXPECT_NE(found.at(name)["state"], "green") << name;
+}
+
+/// Efficiencies of classes of segments count alike in both.
+TEST(WrittenCandidate, HasTheEfficiencyOfClasses) {
+  std::string csv = "time,speed,force\n";
+  for (int k = 0; k <= 200; ++k)
+    csv += fmt::format("{},{},{}\n", 0.01 * k, 100.0 * std::sin(std::numbers::pi * k / 100.0),
+                       3.0 + std::cos(std::numbers::pi * k / 50.0));
+  input::Source source = input::source_of_text(
+      "need.yaml",
+      "motion: {history: {file: cycle.csv, time: {unit: s}, speed: {unit: mm/s}, force: {unit: kN}}}\n"
+      "limits: {efficiency: 50 %}\nmodel: {loads: static}\n"
+      "candidates: {designs: {screw_diameter: 30 mm, lead: 10 mm, starts: 5}}\n",
+      {});
+  source.files.emplace()["cycle.csv"] = csv;
+  expect_one_set_of_numbers(source);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Lift, hold and return, the example of docs/size.md.
 constexpr std::string_view kMotion = R"(
@@ -438,6 +439,36 @@ TEST(Size, NothingPassesIsSaidWithWhatToRelax) {
   const SizeResult both = sized(text);
   EXPECT_FALSE(both.relax);
   EXPECT_THAT(size_table(both, 10), HasSubstr("no limit alone suffices"));
+}
+
+/// Limits that `To relax` prints pass when they are written into the file; criteria without a value are not missed.
+TEST(Size, WhatIsPrintedToRelaxPasses) {
+  const auto of_limit = [](const std::string& limit) {
+    return of_one(std::string(kMotion) + "load: {inclination: 90 deg}\nbrake: {torque: 30 N m}\n" + limit + "\n");
+  };
+  const auto relaxed = [](const std::string& table, std::string_view after) {
+    const std::size_t from = table.find(after) + after.size();
+    return table.substr(from, table.find(" instead", from) - from);
+  };
+  for (const auto& [before, value, after] :
+       {std::tuple("life: {hours: ", "9e6 h", "}"), std::tuple("limits: {weight: ", "1 kg", "}"),
+        std::tuple("limits: {efficiency: ", "99 %", "}"),
+        std::tuple("limits: {critical_speed_share: ", "0.1 %", "}")}) {
+    const std::string table = size_table(sized(of_limit(std::string(before) + value + after)), 10);
+    ASSERT_THAT(table, HasSubstr("To relax: with ")) << before;
+    const std::string of = relaxed(table.substr(table.find("To relax: with ")), " of ");
+    EXPECT_EQ(sized(of_limit(std::string(before) + of + after)).passing(), 1) << of;
+  }
+  const SizeResult weak =
+      sized(of_one(std::string(kMotion) + "load: {inclination: 90 deg}\nbrake: {torque: 0.1 N m}\n"));
+  ASSERT_TRUE(weak.relax);
+  EXPECT_EQ(weak.relax->limit, 0.1);
+  EXPECT_THAT(size_table(weak, 10), HasSubstr(" N m instead of 0.1 N m"));
+  const std::string unknown = size_table(sized(of_limit("limits: {temperature: 80 degC}")), 10);
+  EXPECT_THAT(unknown, HasSubstr("Not known of 30x10: temperature: state `heat`"));
+  EXPECT_THAT(unknown, Not(HasSubstr("misses")));
+  EXPECT_THAT(size_table(sized(of_limit("limits: {back_driving: forbidden}")), 10),
+              HasSubstr("with `back_driving: allowed`, 30x10 passes"));
 }
 
 TEST(Size, WarningsHaveTheirNumbers) {

@@ -8,7 +8,11 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/reader.h"
+#include "prs/losses/slip_table.h"
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_at_speed.h"
+#include "prs/slip/slip_pictures.h"
+#include "support/parsed_csv.h"
 
 namespace prs {
 namespace {
@@ -121,6 +125,96 @@ TEST(BothFlanks, OpenFlankLeavesTheScrewWithoutPreload) {
       EXPECT_NEAR(with.threads->screw.normal_load[k] / without.threads->screw.normal_load[k], 1.0, 0.02);
     EXPECT_NEAR(with.slip->power.total() / without.slip->power.total(), 1.0, 0.01);
   }
+}
+
+/// Two nuts, of which 6 kN open one and 1 kN none; lengths as in the comment of lesson 12.
+json double_nut(const char* force, const char* direction) {
+  json input = preloaded_screw();
+  input["preload"] = {{"arrangement", "double_nut"},
+                      {"force", "3 kN"},
+                      {"position", "29.1666667 mm"},
+                      {"spacer", {{"length", "10 mm"}, {"inner_diameter", "36 mm"}, {"outer_diameter", "46 mm"}}},
+                      {"distance", "68.3333333 mm"},
+                      {"load", {{"from", "-6 kN"}, {"to", "6 kN"}}}};
+  input["load_cases"][0]["axial_force"] = force;
+  input["load_cases"][0]["direction"] = direction;
+  input["lubricant"] = {{"name", "iso-vg-100"}, {"temperature", "60 degC"}};
+  input["roughness"] = "0.2 um";
+  return input;
+}
+
+class DoubleNut : public testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {
+ protected:
+  json input() const {
+    const auto [force, direction, loads] = GetParam();
+    json input = double_nut(force, direction);
+    input["model"]["loads"] = loads;
+    return input;
+  }
+};
+
+TEST_P(DoubleNut, CurvesOverSpeedMeetTheSlipOfTheCase) {
+  json mixed = input();
+  mixed["friction"] = {{"model", {{"mixed", {{"boundary", 0.11}}}}}};
+  const Case c = read(mixed);
+  const Result result = analyze_slip(c);
+  const SlipResult& slip = *result.load_cases[0].slip;
+  ASSERT_TRUE(slip.converged());
+  const StribeckCurve curve = stribeck_curve(c, result, 0);
+  ASSERT_EQ(curve.speed.size(), 41u);
+  EXPECT_NEAR(curve.speed[30] / slip.speed, 1.0, 1e-12);
+  EXPECT_NEAR(curve.power[30] / slip.power.total(), 1.0, 1e-8);
+  EXPECT_NEAR(*curve.efficiency[30] / *slip.efficiency, 1.0, 1e-8);
+  const InterfaceSlip& nut = slip.of_nut_that_carries(result.load_cases[0].load_case).threads.nut;
+  EXPECT_GT(curve.friction.nut[30], 0.0);
+  EXPECT_NEAR(curve.friction.nut[30] / *std::ranges::max_element(nut.friction_coefficient), 1.0, 0.1);
+}
+
+TEST_P(DoubleNut, TheMomentVanishesAtTheSlipRatioOfTheNutThatCarries) {
+  const Case c = read(input());
+  const Result result = analyze_slip(c);
+  const SlipPictures pictures = slip_pictures(c, result, 0);
+  const SlipResult& nut = result.load_cases[0].slip->of_nut_that_carries(result.load_cases[0].load_case);
+  const ResidueCurve& curve = pictures.residue_near_root;
+  const auto after = std::ranges::find_if(curve.moments, [&](const RollerMoments& m) {
+    return std::signbit(m.residue()) != std::signbit(curve.moments.front().residue());
+  });
+  ASSERT_NE(after, curve.moments.end());
+  const auto k = static_cast<std::size_t>(after - curve.moments.begin());
+  EXPECT_GE((nut.slip_ratio - curve.slip_ratio[k - 1]) * (curve.slip_ratio[k] - nut.slip_ratio), 0.0);
+}
+
+/// N in a row is F_a/(cos psi +- mu sin psi) of the same row, psi = 45 deg and mu <= 0.1, for the threads of both nuts.
+TEST_P(DoubleNut, RowsOfThreadsAreThoseOfOneNut) {
+  const Result result = analyze_slip(read(input()));
+  const auto rows = ::test::parse(slip_threads_csv(result, {.digits = CsvStyle::kAllDigits}));
+  ASSERT_EQ(rows.size(), 80u);
+  double least = HUGE_VAL, largest = 0.0;
+  for (const auto& row : rows) {
+    const double axial = std::stod(row.at("axial_load_N"));
+    if (axial == 0.0) continue;
+    const double ratio = std::stod(row.at("dynamic_normal_load_N")) / axial;
+    least = std::min(least, ratio), largest = std::max(largest, ratio);
+  }
+  EXPECT_GT(least, 1.41 / 1.1);
+  EXPECT_LT(largest, 1.42 / 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothFlanks, DoubleNut,
+                         testing::Combine(testing::Values("1 kN", "6 kN"), testing::Values("tension", "compression"),
+                                          testing::Values("static", "running")));
+
+/// At rest the carrier is pressed by the rollers of the nut that carries.
+TEST(BothFlanks, ADoubleNutAtRestPressesOnItsCarrier) {
+  json one = double_nut("20 kN", "tension");
+  one["operation"]["speed"] = "0 rpm";
+  const auto carrier = [](const json& input) {
+    const RollerForces f = analyze_slip(read(input)).load_cases[0].slip->holding->against_load.forces;
+    return std::hypot(f.carrier_x, f.carrier_y);
+  };
+  const double of_two = carrier(one);
+  one.erase("preload");
+  EXPECT_NEAR(of_two / carrier(one), 1.0, 0.1);
 }
 
 TEST(BothFlanks, EqualSharesNeedNoStructure) {

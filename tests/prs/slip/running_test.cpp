@@ -226,6 +226,8 @@ TEST(RunningLoads, OfEqualRollersAreThoseOfOneSector) {
       EXPECT_NEAR((*all.threads)[i].normal_load[k], loads[k % loads.size()], 1e-10 * most);
   }
   EXPECT_NEAR(all.slip->power.total(), one.slip->power.total(), 1e-9 * one.slip->power.total());
+  const std::vector<double>& shares = all.threads->nut.rollers->share;
+  for (const double share : shares) EXPECT_NEAR(share * static_cast<double>(shares.size()), 1.0, 1e-9);
   for (std::size_t h = 0; h < 2; ++h)
     EXPECT_NEAR(all.slip->heads[3][h].bearing_force, one.slip->heads[0][h].bearing_force, 1e-7);
 }

@@ -36,8 +36,7 @@ void run_whole_study(const fs::path& path) {
     run_schedule(2, 200, next, test::synthetic_rows, take);
   };
   const StoredRows rows = run_study(test::synthetic_header(kKilledDesigns), &folder, run, {});
-  write_rows(rows, test::synthetic_study(kKilledDesigns), {"1", "1", "abc"}, &path, 2,
-             [](const RowBlock&, std::span<const double>) {});
+  write_rows(rows, test::synthetic_study(kKilledDesigns), &path, 2, [](const RowBlock&, std::span<const double>) {});
   folder.remove_journals();
 }
 

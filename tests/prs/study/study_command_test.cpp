@@ -129,7 +129,6 @@ TEST_F(StudyCommand, WritesTheSameFilesOnAnyNumberOfThreadsAndInShards) {
   ASSERT_EQ(prs(into(alone, "--threads 1")).status, 0);
   const auto expected = files_in(alone);
   EXPECT_THAT(expected, testing::Contains(testing::Key("study.csv")));
-  EXPECT_THAT(expected, testing::Contains(testing::Key("study.nc")));
   EXPECT_THAT(expected, testing::Contains(testing::Key("study.json")));
   ASSERT_EQ(prs(into(folder, "--threads 3")).status, 0);
   EXPECT_TRUE(files_in(folder) == expected);

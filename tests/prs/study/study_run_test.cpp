@@ -199,7 +199,7 @@ TEST(StudyFolder, RemovesWhatDeadProcessesLeft) {
   if (dead == 0) ::_exit(0);
   siginfo_t ended;
   ::waitid(P_PID, static_cast<id_t>(dead), &ended, WEXITED | WNOWAIT);  // A zombie until the end.
-  const std::vector<fs::path> left{"study.csv.123-0.tmp", "study.nc.77-1.tmp", fmt::format("slip.csv.{}-3.tmp", dead),
+  const std::vector<fs::path> left{"study.csv.123-0.tmp", "study.json.77-1.tmp", fmt::format("slip.csv.{}-3.tmp", dead),
                                    "plots/01_screw.svg.9-12.tmp", "plots/01_screw.png.9-0.tmp"};
   const std::vector<fs::path> others{"study.csv", "my-1.tmp", "my.csv.1-0.tmp", "plots/01.svg",
                                      fmt::format("slip.csv.{}-0.tmp", ::getpid())};
