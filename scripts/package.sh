@@ -22,7 +22,8 @@ cp build/release/packages/*.deb dist
 python -m build --sdist --no-isolation -o dist
 pip wheel . --disable-pip-version-check --no-deps --no-build-isolation -C build-dir=build/release \
   -C cmake.define.PRS_BUILD_TESTS=ON -w build/wheel
-# Not bundled: librsvg and Ceres with their libraries. Their modules use the ones of the system. CHOLMOD is: the wheel is under the GPL.
+# Not bundled: librsvg and Ceres with their libraries; their modules use those of the system. CHOLMOD is: the
+# wheel is under the GPL.
 excluded=(libceres.so.* libglog.so.* libcxsparse.so.* libmpi.so.*)
 auditwheel repair build/wheel/*.whl -w dist "${excluded[@]/#/--exclude=}" --exclude='librsvg-2.so.*' \
   --exclude='libcairo.so.*' --exclude='libg*-2.0.so.*'

@@ -21,7 +21,10 @@ std::vector<std::pair<std::size_t, std::string>> written_of(const Options& optio
                   "screw.yaml`",
                   input::shown(rank));
     refuse_taken(options, file);
-    if (std::ranges::count(options.write, file) > 1)
+    const auto same = [&](const auto& before) {
+      return std::filesystem::path(before.second).lexically_normal() == std::filesystem::path(file).lexically_normal();
+    };
+    if (std::ranges::any_of(all, same))
       fail_option("--write", "got {} twice; expected a file for each candidate; give another name", input::shown(file));
     all.emplace_back(*number, file);
   }

@@ -229,12 +229,17 @@ struct CsvReader::Parts {
     while (next < text.size() && (text[next] == '#' || is_blank(line()) || names_separator())) next += line().size();
   }
 
-  /// Takes the fields of the row without empty ones beyond the columns; false if nothing is left.
-  bool take_fields() {
+  /// Takes the fields of the row without empty ones beyond the columns.
+  void take_fields() {
     parser.get_fields(fields);
-    while (fields.size() > most_fields && fields.back().empty()) fields.pop_back();
+    while (fields.size() > std::max<std::size_t>(most_fields, 1) && fields.back().empty()) fields.pop_back();
     if (most_fields == 0) most_fields = fields.size();
-    return std::ranges::any_of(fields, [](std::string_view field) { return !field.empty(); });
+  }
+
+  /// Whether neither the row nor what comes after it has a value.
+  bool is_left_over() const {
+    return std::ranges::all_of(fields, [](std::string_view field) { return field.empty(); }) &&
+           text.substr(next).find_first_not_of(",;\t \r\n") == text.npos;
   }
 
   void read_row() {
@@ -282,12 +287,12 @@ CsvReader::CsvReader(std::string_view text) : parts_(std::make_unique<Parts>(tex
 CsvReader::~CsvReader() = default;
 
 bool CsvReader::next() {
-  do {
-    parts_->skip_to_row();
-    parts_->row = parts_->next;
-    if (parts_->next == parts_->text.size()) return false;
-    parts_->read_row();
-  } while (!parts_->take_fields());
+  parts_->skip_to_row();
+  parts_->row = parts_->next;
+  if (parts_->next == parts_->text.size()) return false;
+  parts_->read_row();
+  parts_->take_fields();
+  if (parts_->is_left_over()) return false;
   const std::vector<bool>& columns = parts_->decimal_commas;
   if (columns.empty()) return true;
   parts_->numbers.resize(parts_->fields.size());

@@ -22,11 +22,12 @@ class CsvError : public std::runtime_error {
 
 /// Rows of a text of comma-separated values after RFC 4180: fields in double quotes may hold separators, line ends and
 /// doubled quotes, lines end with LF or CR LF. Fields are separated by commas, semicolons or tabs, whichever comes
-/// first in the first row outside quotes. Blanks around fields, lines without values, lines that start with `#`, a line
-/// `sep=;` of a spreadsheet before the first row and a byte order mark are skipped, as are empty fields beyond the last
-/// one of the first row that is not empty. Between semicolons or tabs numbers may have decimal commas and marks between
-/// thousands, as European spreadsheets write them: `fields` has them with a point; ambiguous ones, such as `1.250` in a
-/// column without a comma, are not numbers. Rows are read one at a time; the longest allowed row has 1 MiB.
+/// first in the first row outside quotes. Blanks around fields, empty lines, lines that start with `#`, a line
+/// `sep=;` of a spreadsheet before the first row and a byte order mark are skipped, as are empty fields beyond the
+/// columns of the first row and rows without values at the end. Between semicolons or tabs numbers may have decimal
+/// commas and marks between thousands, as European spreadsheets write them: `fields` has them with a point; ambiguous
+/// ones, such as `1.250` in a column without a comma, are not numbers. Rows are read one at a time; the longest allowed
+/// row has 1 MiB.
 class CsvReader {
  public:
   /// The text must outlive the reader.

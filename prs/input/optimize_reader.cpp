@@ -140,8 +140,9 @@ class AimReader {
       const std::string at = fmt::format("optimize.constraints[{}]", k);
       const std::size_t index = response(item.response, at + ".response");
       const auto add = [&](const char* key, Constraint::Sense sense) {
-        if (const std::optional<Limit> limit = limit_at(fmt::format("{}.{}", at, key)))
-          input_.optimization.constraints.push_back({item.name.value_or(item.response), index, sense, *limit});
+        const std::optional<Limit> limit = limit_at(fmt::format("{}.{}", at, key));
+        if (!limit) return;
+        input_.optimization.constraints.push_back({item.name.value_or(item.response), index, sense, *limit});
         refuse_contradiction(fmt::format("{}.{}", at, key));
       };
       if (item.at_least) add("at_least", Constraint::Sense::at_least);
@@ -151,7 +152,6 @@ class AimReader {
 
   /// Refuses the last constraint if no number meets it and one before.
   void refuse_contradiction(const std::string& at) {
-    if (input_.optimization.constraints.empty()) return;
     const Constraint& last = input_.optimization.constraints.back();
     for (const Constraint& before : input_.optimization.constraints) {
       if (before.response != last.response || before.sense == last.sense) continue;

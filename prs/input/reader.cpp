@@ -304,8 +304,10 @@ bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
 void read(const Written& w, const ChoiceUnderKey& under) {
   const bool bare =
       w.node.kind == Node::Kind::map && w.node.children.size() == 1 && w.node.children[0].key != under.key;
-  if (bare && contains(ChoiceNames(under.choice).keys, w.node.children[0].key)) return read(w, under.choice);
-  if (bare || w.node.kind != Node::Kind::map) return w.refuse(wanted(under));
+  const ChoiceNames names(under.choice);
+  if (bare && contains(names.keys, w.node.children[0].key)) return read(w, under.choice);
+  if (bare) return w.refuse(wanted(under), did_you_mean(w.node.children[0].key, names.keys));
+  if (w.node.kind != Node::Kind::map) return w.refuse(wanted(under));
   if (!refuse_second_choice(w, under)) read(w, under.map);
 }
 

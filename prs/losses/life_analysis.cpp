@@ -484,7 +484,7 @@ ModifiedLife modified_life(const Case& c, const LifeResult& r) {
     throw CaseError("life.contamination", "no slip under the mean load: `prs slip` says why; delete it");
   double pressure = 0.0;
   for (const Interface i : kInterfaces) {
-    for (const double ratio : load.slip->threads[i].film_ratio)
+    for (const double ratio : load.slip->of_nut_that_carries(load.load_case).threads[i].film_ratio)
       if (ratio > 0.0) life.film_ratio = std::min(life.film_ratio, ratio);  // 0 of threads that are open.
     for (const double p : (*load.threads)[i].peak_pressure) pressure = std::max(pressure, p);
   }

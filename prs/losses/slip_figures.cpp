@@ -11,7 +11,7 @@ namespace {
 
 template <std::vector<double> InterfaceSlip::*values>
 const std::vector<double>& slip_of(const LoadCaseResult& result, Interface i) {
-  return result.slip->threads[i].*values;
+  return result.slip->of_nut_that_carries(result.load_case).threads[i].*values;
 }
 
 bool has_thread_slip(const LoadCaseResult& result) { return has_slip(result) && has_shares(result); }
@@ -38,10 +38,11 @@ Figure friction(const Result&, const LoadCaseResult& shown) {
   Figure figure{"friction", "Friction and sliding of each thread, " + shown_name(shown.load_case.name)};
   figure.columns = 2;
   for (const auto k : indices(kInterfaces)) figure.add(interface_title(kInterfaces[k]), marked_line(k));
+  const SlipResult& nut = shown.slip->of_nut_that_carries(shown.load_case);
   const auto add = [&](const char* title, const char* unit, auto values, double factor) {
     Panel& panel = figure.panels.emplace_back(Panel{title});
     for (const auto k : indices(kInterfaces))
-      panel.series.push_back({k, {over_threads(shown.slip->threads[kInterfaces[k]].*values, factor)}});
+      panel.series.push_back({k, {over_threads(nut.threads[kInterfaces[k]].*values, factor)}});
     panel.y = fitted({title, unit}, range_of_y(panel.series), true);
   };
   add("Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0);

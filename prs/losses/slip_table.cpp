@@ -336,7 +336,7 @@ std::string slip_chart(const LoadCaseResult& result) {
   const std::string title = case_name_cell(result);
   if (!has_slip(result)) return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
 
-  const PerInterface<InterfaceSlip>& threads = result.slip->threads;
+  const PerInterface<InterfaceSlip>& threads = result.slip->of_nut_that_carries(result.load_case).threads;
   const bool rollers = threads.screw.threads_per_roller > 0;
   const auto power_of = [&](const InterfaceSlip& slip) { return rollers ? power_of_rollers(slip) : slip.power; };
   const PerInterface<std::vector<double>> power = {power_of(threads.screw), power_of(threads.nut)};

@@ -751,6 +751,8 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
            : candidate.temperature
                ? "\n# Mean of the cycle. For parts that warm up and oil that follows, write `specific_heat: 460 "
                  "J/(kg K)` in place of\n# `losses: stated`, and delete temperatures of parts.\n"
+           : has_heat
+               ? "\n# Slip finds no equilibrium, so that temperatures are not known.\n"
                : "\n# Temperatures are not known. With what seat, bearings and air take they would be the mean of the "
                  "cycle; bare parts in\n# still air, by the rules of `prs new`:\n");
   Heat heat = heat_of_cycle(in, sized, candidate.conductance);

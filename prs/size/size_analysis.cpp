@@ -592,26 +592,29 @@ std::string unit_in_tables(std::string_view unit) {
   return std::string(tables.text.empty() ? unit : tables.text);
 }
 
-/// The limit of an input, as a file states it, or the value that would pass as a limit, rounded to its safe side.
-std::string limit_text(const Relaxation& relax, double value) {
+/// A limit as a file states it or, rounded to its safe side with so many digits, as it would have to be.
+std::string limit_text(const Relaxation& relax, double value, std::optional<int> digits = {}) {
   const bool is_share = relax.criterion == "efficiency" || relax.criterion == "critical_speed";
   const std::string unit = is_share ? "%" : unit_in_tables(relax.unit);
-  const double shown = value * (is_share ? "%"_per_si : table_factor(relax.unit));
-  const double digit = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - 3.0), steps = shown / digit;
-  const double whole = std::round(steps);
-  const double rounded = std::abs(steps - whole) < 1e-6 ? whole
-                         : relax.needed < relax.limit   ? std::floor(steps)
-                                                        : std::ceil(steps);
-  return fmt::format("{:.4g}{}{}", rounded * digit, unit.empty() ? "" : " ", unit);
+  double shown = value * (is_share ? "%"_per_si : table_factor(relax.unit));
+  if (digits && shown != 0.0) {
+    const double digit = std::pow(10.0, std::floor(std::log10(std::abs(shown))) + 1.0 - *digits);
+    const double steps = shown / digit, whole = std::round(steps);
+    const bool is_whole = std::abs(steps - whole) < 1e-6;
+    shown = digit * (is_whole ? whole : relax.needed < relax.limit ? std::floor(steps) : std::ceil(steps));
+  }
+  return fmt::format("{:.6g}{}{}", shown, unit.empty() ? "" : " ", unit);
 }
 
 /// The change of a limit that would let a candidate pass.
 std::string to_relax(const SizeResult& r, bool misses_several) {
-  if (r.relax)
+  if (r.relax) {
+    const std::string limit = limit_text(*r.relax, r.relax->limit), rough = limit_text(*r.relax, r.relax->needed, 4);
     return hanging("  ", 2,
                    fmt::format("To relax: with {} of {} instead of {}, {} passes.", words_of(r.relax->criterion),
-                               limit_text(*r.relax, r.relax->needed), limit_text(*r.relax, r.relax->limit),
+                               rough == limit ? limit_text(*r.relax, r.relax->needed, 6) : rough, limit,
                                r.candidates[static_cast<std::size_t>(r.relax->rank) - 1].name));
+  }
   for (const SizedCandidate& c : r.candidates)
     if (c.missed() == std::vector<std::string>{"back_driving"})
       return hanging("  ", 2, fmt::format("To relax: with `back_driving: allowed`, {} passes.", c.name));

@@ -375,7 +375,8 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
-    add_slip_warnings(c, result.contacts, &model, loaded);
+    const bool second = &loaded.slip->of_nut_that_carries(loaded.load_case) != &*loaded.slip;
+    add_slip_warnings(c, result.contacts, &nuts[second ? 1 : 0], loaded);
   }
   return result;
 }

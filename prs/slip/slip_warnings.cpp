@@ -191,7 +191,7 @@ void warn_of_result(const Conditions& c, LoadCaseResult& loaded) {
                                "nothing slides faster than {limit}, where friction has no "
                                "direction any more: the power lost is not that of a moving screw"}
                            .with({}, contact::kNoDirection, "m/s"_unit));
-  warn_of_lubrication(slip, *c.friction, warnings);
+  warn_of_lubrication(slip.of_nut_that_carries(load), *c.friction, warnings);
 }
 
 }  // namespace
@@ -256,8 +256,8 @@ void add_slip_warnings(const Conditions& c, const Contacts& contacts, const Slip
     add(guides_press(c, {common_over_static(loaded.threads->screw), common_over_static(loaded.threads->nut)}));
   if (slip.converged()) {
     warn_of_measured_parts(contacts, slip, warnings);
-    warn_of_film(*model, slip, warnings);
-    warn_of_flashes(slip, warnings);
+    warn_of_film(*model, slip.of_nut_that_carries(load), warnings);
+    warn_of_flashes(slip.of_nut_that_carries(load), warnings);
     warn_of_lifted_rollers(loaded, warnings);
     if (load.name != kBackDriving) add(unknown_heat_flow(c, contacts.mechanism, slip.power.total()));
   }

@@ -79,7 +79,10 @@ class Function:
             if isinstance(given, str):
                 raise TypeError(f"{name}: got {given!r}; expected a list such as [{given!r}]")
             checked(name, given, Iterable, "a list of paths")
-            if not given:
+        inputs = inputs if isinstance(inputs, Mapping) else tuple(inputs)
+        responses = list(responses)
+        for name, paths in (("inputs", inputs), ("responses", responses)):
+            if not paths:
                 raise ValueError(f"{name}: got none; expected a list of paths")
         #: Responses as they were given, with those of other commands.
         self._given = responses if asked is None else asked
@@ -359,6 +362,13 @@ def function_of(
     command: Command | None,
 ) -> Function:
     """The function of one command or of several, each with its responses."""
+    inputs = (
+        inputs
+        if isinstance(inputs, (str, Mapping)) or not isinstance(inputs, Iterable)
+        else tuple(inputs)
+    )
+    if isinstance(responses, Iterable) and not isinstance(responses, (str, Mapping)):
+        responses = list(responses)
     if isinstance(responses, Mapping):
         if command is not None:
             raise TypeError(f"command: got {command!r} beside those of responses; expected one")

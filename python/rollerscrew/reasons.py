@@ -43,7 +43,7 @@ _NEEDED: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"slip\..*(film_ratio|boundary_share)", ("roughness",)),
     (r"heat_cycle\.", ("heat.duty",)),
     (r"flanks\.", ("model.loads: running", "preload.arrangement: single_nut")),
-    (r"slip\.second_nut\.", ("model.loads: running", "preload.arrangement: double_nut")),
+    (r"slip\.(second_nut\.|hottest_thread\.of_nut)", ("preload.arrangement: double_nut",)),
     (_FULL, ("model.mechanism: full",)),
     (r"orbit\.", ("{load_case}.orbit",)),
     (r"travel\.", ("{load_case}.travel",)),

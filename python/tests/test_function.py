@@ -389,6 +389,14 @@ def test_responses_that_are_wrong_have_their_place_among_those_asked_for() -> No
     assert len(case.evaluate({"mechanism.rollers": [9]}, [f"{loads}[3]", f"{loads}[4]"])) == 1
 
 
+def test_inputs_and_responses_may_be_given_one_at_a_time() -> None:
+    for responses in ([STIFFNESS], [STIFFNESS, "slip.efficiency"]):
+        at_once = lesson(9).function([FORCE], responses)
+        singly = lesson(9).function((path for path in [FORCE]), (path for path in responses))
+        assert singly.inputs == at_once.inputs
+        np.testing.assert_array_equal(singly(singly.x0), at_once(at_once.x0))
+
+
 def test_inputs_that_are_none_are_errors_of_input() -> None:
     for path in ("mechanism.leed", "load_cases[9].axial_force", ""):
         with pytest.raises(rs.InputError, match=r"^inputs\['.*'\]: ") as raised:

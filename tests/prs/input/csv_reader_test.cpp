@@ -43,7 +43,7 @@ TEST(CsvReader, TakesTheFirstSeparatorOutsideQuotes) {
 }
 
 TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
-  EXPECT_EQ(rows_of("\xEF\xBB\xBF# \"odd\n\n a , \"b\" \n  \n#,\n,\n,c\n"), (Rows{{"a", "b"}, {"", "c"}}));
+  EXPECT_EQ(rows_of("\xEF\xBB\xBF# \"odd\n\n a , \"b\" \n  \n#,\n,\n,c\n"), (Rows{{"a", "b"}, {"", ""}, {"", "c"}}));
   EXPECT_EQ(rows_of("a,\"x\n# kept\n\ny\"\n"), (Rows{{"a", "x\n# kept\n\ny"}}));
   EXPECT_TRUE(rows_of("").empty());
   EXPECT_TRUE(rows_of("# nothing").empty());
@@ -51,8 +51,8 @@ TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
 
 /// Marks and leftovers of spreadsheets.
 TEST(CsvReader, SkipsTheNamedSeparatorAndWhatIsEmptyBeyondTheColumns) {
-  EXPECT_EQ(rows_of("\xEF\xBB\xBFsep=;\r\na;b;;\r\n1,5;2;;\r\n;;;\r\n3;;\r\n"),
-            (Rows{{"a", "b"}, {"1.5", "2"}, {"3", ""}}));
+  EXPECT_EQ(rows_of("\xEF\xBB\xBFsep=;\r\na;b;;\r\n1,5;2;;\r\n;;;\r\n3;;\r\n;;;\r\n\r\n;;;\r\n"),
+            (Rows{{"a", "b"}, {"1.5", "2"}, {"", ""}, {"3", ""}}));
   EXPECT_EQ(rows_of("a,b\nsep=,2,x,\n"), (Rows{{"a", "b"}, {"sep=", "2", "x"}}));
 }
 

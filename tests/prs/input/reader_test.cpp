@@ -470,8 +470,7 @@ TEST(ReadCase, DeviationsOutOfProportionAreRefused) {
 }
 
 TEST(ReadCase, ExamplesLieWithinTheirBounds) {
-  EXPECT_THAT(error_of(kAbevi, {"roughness=5 mm"}, Command::check),
-              HasSubstr("write for example `roughness: 0.4 um`"));
+  EXPECT_THAT(error_of(kAbevi, {"roughness=5 mm"}, Command::check), HasSubstr("write for example `roughness: 0.4 um`"));
   EXPECT_THAT(error_of(kAbevi, {"carrier={gear_pressure_angle: 60 deg}"}, Command::check),
               HasSubstr("write for example `gear_pressure_angle: 22.5 deg`"));
 }
