@@ -469,6 +469,18 @@ TEST(ReadCase, DeviationsOutOfProportionAreRefused) {
               HasSubstr("the screw lacks `thermal_expansion`"));
 }
 
+TEST(ReadCase, ABareNumberHasTheUnitOfItsKey) {
+  EXPECT_THAT(error_of(kAbevi, {"roughness=0.4"}, Command::check), HasSubstr("for example `0.4 um` (units"));
+  EXPECT_THAT(error_of(kAbevi, {"measures={yield_strength: 700}"}, Command::check),
+              HasSubstr("for example `700 MPa` (units"));
+}
+
+TEST(ReadCase, ALawOfFrictionIsExpectedAsItIsWritten) {
+  EXPECT_THAT(error_of(kAbevi, {"friction=jacod"}, Command::check),
+              HasSubstr("got jacod; expected {model: jacod} | {coulomb: ..} | {mixed: ..}"));
+  EXPECT_THAT(error_of(kAbevi, {"friction={culomb: 0.1}"}, Command::check), HasSubstr("did you mean `coulomb`?"));
+}
+
 TEST(ReadCase, ExamplesLieWithinTheirBounds) {
   EXPECT_THAT(error_of(kAbevi, {"roughness=5 mm"}, Command::check), HasSubstr("write for example `roughness: 0.4 um`"));
   EXPECT_THAT(error_of(kAbevi, {"carrier={gear_pressure_angle: 60 deg}"}, Command::check),

@@ -35,6 +35,13 @@ TEST(UsualValues, ANutThatHangsOnNothingIsNamed) {
   }
 }
 
+TEST(UsualValues, MassesAndLoadsOfLostMotionHaveThem) {
+  for (const auto& [file, path, written] : {std::tuple("12_preload", "preload.lost_motion_load", "1e9 N"),
+                                            std::tuple("36_servo_axis", "response.load.mass", "1e9 kg")})
+    EXPECT_THAT(warnings_of(std::string("configs/") + file + ".yaml", {std::string(path) + "=" + written}),
+                testing::Contains(StartsWith(std::string(path) + ": got " + written + "; usual is up to ")));
+}
+
 TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
   const OddValue odd[] = {
       {"materials.youngs_modulus", "210 MPa", "`210 GPa`?"},
