@@ -108,7 +108,7 @@ void FullChainWithFiles(benchmark::State& state) {
                        },
                        {});
     prs::StudyAnalysis analysis(engine.study());
-    prs::write_rows(rows, engine.study(), {"bench", "1", "", {}}, &path, kThreads,
+    prs::write_rows(rows, engine.study(), &path, kThreads,
                     [&](const prs::RowBlock& block, std::span<const double> inputs) { analysis.add(block, inputs); });
     folder.remove_journals();
   }
