@@ -474,14 +474,15 @@ int run_case(const AnyAnalysis& row, const Options& options) {
 
 namespace {
 
-/// `references=[..]` with files relative to the current folder.
+/// `references=[..]` of files that are named from the current folder or from the root.
 std::string override_of(const Options& options) {
   const std::filesystem::path folder = std::filesystem::path(case_name(options)).parent_path();
   Json items = Json::array();
   for (const std::string& file : options.references) {
     if (std::error_code error; !std::filesystem::is_regular_file(file, error))
       fail_option("--reference", "got {}; expected a CSV file; check the path", input::shown(file));
-    items.push_back({{"file", folder.empty() ? file : std::filesystem::proximate(file, folder).string()}});
+    const bool stays = folder.empty() || std::filesystem::path(file).is_absolute();
+    items.push_back({{"file", stays ? file : std::filesystem::proximate(file, folder).string()}});
   }
   return "references=" + items.dump();
 }

@@ -73,6 +73,7 @@ class Lister {
   }
   void put_farther_end(const MapValue& range) {
     range.for_each([&](const Field& end) {
+      if (!end.has_value()) return;
       const Value value = end.value();
       const auto* const leaf = std::get_if<Leaf<Quantity, double>>(&value.as);
       const std::optional<double>& number = entries_.back().number;

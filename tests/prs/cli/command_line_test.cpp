@@ -90,6 +90,8 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
             "--screw-diameter: missing; expected this or `--nut-diameter`; give one of them"},
            {"configurations --screw-diameter 24 --lead 3mm",
             "--screw-diameter: got 24; expected a length with its unit"},
+           {"size configs/32_press.yaml --write 1 x.yaml --write 2 ./x.yaml",
+            "--write: got ./x.yaml twice; expected a file for each candidate; give another name"},
            {"configurations --write 3", "--write: got 3; expected `--write N FILE`"},
            {"new sideways", "TYPE: got sideways; expected one of standard, inverted"},
            {"new standard README.md", "README.md: the file exists already; give another name"},

@@ -121,6 +121,25 @@ TEST_F(LifeCommand, FilmAndDirtGiveTheFactorOfTheStandard) {
               HasSubstr("life.contamination: expected `friction`"));
 }
 
+/// Under tension the first nut is open; its films are zeros.
+TEST_F(LifeCommand, TheFilmOfADoubleNutIsThatOfTheNutThatCarries) {
+  const std::string file = (folder.path() / "a.yaml").string();
+  ASSERT_EQ(prs("new standard " + file + " --screw-diameter 25mm --lead 5mm").status, 0);
+  const std::string of_case = " --json --quiet " + file +
+                              " --set 'preload={arrangement: double_nut, force: 100 N, distance: 30 mm, spacer: " +
+                              "{length: 4 mm, inner_diameter: 43 mm, outer_diameter: 50 mm}, position: 12 mm, load: "
+                              "{from: -10 kN, to: 10 kN}}'";
+  const auto life = nlohmann::json::parse(prs("life --set life.contamination=0.5" + of_case).out)["life"];
+  const auto loaded = nlohmann::json::parse(prs("slip" + of_case + " --set load_cases[0].direction=tension").out);
+  const auto& slip = loaded["load_cases"][0]["slip"];
+  double film = 1e9;
+  for (const char* side : {"screw", "nut"}) {
+    EXPECT_EQ(slip[side]["film_ratio"][0], 0.0);
+    for (const double ratio : slip["second_nut"][side]["film_ratio"]) film = std::min(film, ratio);
+  }
+  EXPECT_NEAR(life["modified"]["film_ratio"].get<double>() / film, 1.0, 1e-9);
+}
+
 TEST_F(LifeCommand, RefusesWhatIsWrongWhereItStands) {
   const std::string lesson = "life configs/14_flight_spectrum.yaml --json ";
   for (const auto& [set, message] : std::initializer_list<std::pair<const char*, const char*>>{
