@@ -20,8 +20,7 @@ scripts/web.sh
 (cd build/release && "${cmake%cmake}cpack" -G DEB -B packages)
 cp build/release/packages/*.deb dist
 python -m build --sdist --no-isolation -o dist
-pip wheel . --disable-pip-version-check --no-deps --no-build-isolation -C build-dir=build/release \
-  -C cmake.define.PRS_BUILD_TESTS=ON -w build/wheel
+python -m build --wheel --no-isolation -C build-dir=build/release -C cmake.define.PRS_BUILD_TESTS=ON -o build/wheel
 # Not bundled: librsvg and Ceres with their libraries; their modules use those of the system. CHOLMOD is: the
 # wheel is under the GPL.
 excluded=(libceres.so.* libglog.so.* libcxsparse.so.* libmpi.so.*)
