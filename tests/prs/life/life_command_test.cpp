@@ -132,12 +132,14 @@ TEST_F(LifeCommand, TheFilmOfADoubleNutIsThatOfTheNutThatCarries) {
   const auto life = nlohmann::json::parse(prs("life --set life.contamination=0.5" + of_case).out)["life"];
   const auto loaded = nlohmann::json::parse(prs("slip" + of_case + " --set load_cases[0].direction=tension").out);
   const auto& slip = loaded["load_cases"][0]["slip"];
-  double film = 1e9;
+  double film = 1e9, pressure = 0.0;
   for (const char* side : {"screw", "nut"}) {
     EXPECT_EQ(slip[side]["film_ratio"][0], 0.0);
     for (const double ratio : slip["second_nut"][side]["film_ratio"]) film = std::min(film, ratio);
+    for (const double p : loaded["load_cases"][0][side]["peak_pressure_MPa"]) pressure = std::max(pressure, p);
   }
   EXPECT_NEAR(life["modified"]["film_ratio"].get<double>() / film, 1.0, 1e-9);
+  EXPECT_NEAR(life["modified"]["load_ratio"].get<double>() / std::pow(1500.0 / pressure, 3), 1.0, 1e-9);
 }
 
 TEST_F(LifeCommand, RefusesWhatIsWrongWhereItStands) {

@@ -431,6 +431,8 @@ TEST(ReferencesOfTheProgram, AreFilesOfTheCurrentFolder) {
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(wrong.out, "");
   EXPECT_THAT(wrong.err, HasSubstr("fe.csv:2:17: error: thread: got 21; expected a thread from 1 to 20"));
+  const std::string from_root = (folder.path() / "fe.csv").string();
+  EXPECT_THAT(test::run_prs(prs + from_root).err, testing::StartsWith(from_root + ":2:17: error: thread: got 21"));
 }
 
 }  // namespace
