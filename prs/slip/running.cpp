@@ -134,7 +134,7 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
   std::vector<SlipEquilibrium> found =
       running_equilibrium(conditions_, contacts_, models_,
                           {{0, 1}, threads, two_nuts ? RunningRollers::Rows::nuts : RunningRollers::Rows::flanks},
-                          answer, bodies, rest, last_slip_ratio_)
+                          answer, bodies, rest, last_spin_)
           .slip;
   if (!rest.running->converged()) {
     rest.other_flank.reset();
@@ -200,7 +200,7 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional
       }};
   RunningEquilibrium found =
       running_equilibrium(conditions_, contacts_, models_, {{0}, threads},
-                          answer_to(no_push(threads), NewtonStatus::converged), running, rest, last_slip_ratio_);
+                          answer_to(no_push(threads), NewtonStatus::converged), running, rest, last_spin_);
   slip = std::move(found.slip.front());
   if (!rest.running->converged()) return not_running(std::move(rest));
   return with_friction(solved_result(load_case, contacts_, laws_, bodies.loads(found.push.front())), std::move(rest));
@@ -254,7 +254,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
                            {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
                            forces_on_guides(rest.full->rings)};
   RunningEquilibrium found =
-      running_equilibrium(conditions_, contacts_, models_, rollers, at_rest, bodies, rest, last_slip_ratio_);
+      running_equilibrium(conditions_, contacts_, models_, rollers, at_rest, bodies, rest, last_spin_);
   all.slip = std::move(found.slip.front());
   all.push = std::move(found.push);
   if (!rest.running->converged()) rest = not_running(std::move(rest));

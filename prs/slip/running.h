@@ -68,7 +68,7 @@ class RunningSolver {
   std::map<std::pair<Direction, double>, std::unique_ptr<SectorAt>> sectors_;
   std::optional<FlankSolver> flanks_;
   std::optional<SlipEquilibrium> second_nut_;
-  std::optional<double> last_slip_ratio_;
+  std::optional<RollerSpin> last_spin_;
 };
 
 inline bool is_held(const Conditions& c, const LoadCase& load) { return screw_speed(c, load) == 0.0; }

@@ -71,10 +71,10 @@ class FixedPoint {
     head_share_ = disc_area(c.structure->roller.end_diameter) / volume;
   }
 
-  std::vector<SlipEquilibrium> solve(BodyAnswer answer, const RunningBodies& bodies, std::optional<double>& near) {
+  std::vector<SlipEquilibrium> solve(BodyAnswer answer, const RunningBodies& bodies, std::optional<RollerSpin>& near) {
     RunningLoads& r = running();
     std::vector<SlipEquilibrium> slip;
-    std::vector<std::optional<double>> slip_ratio(2, near);
+    std::vector<std::optional<RollerSpin>> last(2, near);
     bool anew = true;  // Whether to search the slip ratio again, in place of a step by the last slope.
     push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
@@ -88,11 +88,11 @@ class FixedPoint {
         SlipEquilibrium& found = slip[n];
         std::optional<double> next;
         if (!anew) {
-          found.balance.motion.slip_ratio = *slip_ratio[n];
+          found.balance.motion.slip_ratio = last[n]->slip_ratio;
           next = next_slip_ratio(model, found);
         }
         if (!next) {
-          found = find_slip_equilibrium(model, slip_ratio[n]);
+          found = find_slip_equilibrium(model, last[n]);
           if (!found.ok()) {
             r.status = found.status == SlipStatus::jammed ? RunningStatus::jammed : RunningStatus::slip_no_equilibrium;
             return slip;
@@ -100,7 +100,7 @@ class FixedPoint {
           next = found.balance.motion.slip_ratio;
         }
         missed = std::max(missed, std::abs(*next - found.balance.motion.slip_ratio));
-        slip_ratio[n] = next;
+        last[n] = found.balance.spin.at(*next);
         set_friction(nuts[n], found);
         const double force = found.balance.forces.centrifugal;
         if (rollers_.of_flanks())
@@ -114,7 +114,7 @@ class FixedPoint {
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
       r.guide_force = answer.guide_force;
       r.status = RunningStatus::converged;
-      near = slip.front().balance.motion.slip_ratio;
+      near = slip.front().balance.spin;
       for (const Slipping& nut : nuts) set_axial_loads(nut);
       for (const Interface i : kInterfaces)
         threads()[i].running_over_static = over_static(threads()[i], r.at_rest.largest_normal_load[i]);
@@ -304,7 +304,7 @@ class FixedPoint {
 
 RunningEquilibrium running_equilibrium(const Conditions& c, const Contacts& contacts, const SlipModels& models,
                                        RunningRollers rollers, BodyAnswer at_rest, const RunningBodies& bodies,
-                                       LoadCaseResult& loaded, std::optional<double>& near) {
+                                       LoadCaseResult& loaded, std::optional<RollerSpin>& near) {
   FixedPoint point(c, contacts, models, std::move(rollers), loaded);
   RunningEquilibrium found{point.solve(std::move(at_rest), bodies, near), {}};
   found.push = std::move(point).push();

@@ -120,56 +120,71 @@ RollerBalanceOf<Dual<double>> with_slopes(const SlipModel& model, const Dual<dou
 
 /// Moment about the axis of a roller without teeth, in the sense of the speed over `residue_unit`; it grows with the
 /// spin.
-Dual<double> toothless_moment(const SlipModel& model, const Dual<double>& slip_ratio, const Dual<double>& spin,
-                              bool& possible) {
-  const RollerMomentsOf<Dual<double>> m = with_slopes(model, slip_ratio, spin, possible).moments;
+Dual<double> toothless_moment(const SlipModel& model, const RollerMomentsOf<Dual<double>>& m) {
   return sign(model.speed) / residue_unit(model) * (m.contacts + m.spin + m.carrier);
 }
 
-/// Spin at which that moment vanishes, with its slope along the slip ratio: Newton's method between bounds. The force
-/// that then lacks along the orbit is what teeth would give, so that the residue of the moments vanishes with it. 0
-/// with teeth. Not possible where the threads cannot overcome the carrier's torque.
-Dual<double> free_spin(const SlipModel& model, double slip_ratio, bool& possible) {
-  if (!contact::is_grooved(model.geometry.type)) return {0.0, 0.0};
+struct SpinRoot {
+  double spin = 0.0;
+  double moment_slope = 0.0, residue_slope = 0.0;  ///< Slopes of that moment and of R_z along the spin.
+};
+
+/// Spin at which that moment vanishes: Newton's method between bounds. The force that then lacks along the orbit is
+/// what teeth would give, so that the residue of the moments vanishes with it. 0 with teeth. Not possible where the
+/// threads cannot overcome the carrier's torque. `start`: a spin that may be close.
+SpinRoot spin_root(const SlipModel& model, double slip_ratio, double start, bool& possible) {
+  if (!contact::is_grooved(model.geometry.type)) return {};
   constexpr int kMostSteps = 100;
-  constexpr double kFirstSpin = 1e-2, kSpinTolerance = 1e-13, kGreatestSpin = 1e3;
-  double low = -std::numeric_limits<double>::infinity(), high = -low, step = kFirstSpin, spin = 0.0;
-  Dual<double> moment(0.0, 0.0);
+  constexpr double kFirstStep = 1e-2, kSpinTolerance = 1e-13, kGreatestSpin = 1e3;
+  double low = -std::numeric_limits<double>::infinity(), high = -low, longest = kFirstStep, before = 0.0;
+  SpinRoot root{start};
   for (int k = 0; k < kMostSteps; ++k) {
-    moment = toothless_moment(model, {slip_ratio, 0.0}, {spin, 1.0}, possible);
+    const RollerMomentsOf<Dual<double>> moments =
+        with_slopes(model, {slip_ratio, 0.0}, {root.spin, 1.0}, possible).moments;
+    const Dual<double> moment = toothless_moment(model, moments);
+    root.moment_slope = moment.slope;
+    root.residue_slope = moments.residue().slope;
     if (!possible || std::abs(moment.value) <= 1e-16) break;
-    (moment.value > 0.0 ? high : low) = spin;
-    const double newton = spin - moment.value / moment.slope;
-    const bool last = std::abs(newton - spin) <= kSpinTolerance, bounded = std::isfinite(high - low);
+    (moment.value > 0.0 ? high : low) = root.spin;
+    const double newton = root.spin - moment.value / moment.slope, step = std::abs(newton - root.spin);
+    // The next step would be shorter at least by as much as this one is shorter than the last.
+    const bool last = step <= kSpinTolerance || (step < before && step * step <= kSpinTolerance * before);
+    const bool bounded = std::isfinite(high - low);
+    before = 0.0;
     if (last || (newton > low && newton < high && bounded)) {
-      spin = newton;
+      root.spin = newton;
+      before = step;
     } else if (bounded) {
-      spin = 0.5 * (low + high);
+      root.spin = 0.5 * (low + high);
     } else {
-      spin -= std::copysign(std::min(std::abs(newton - spin), step), moment.value);
-      step *= 4.0;
-      possible = std::abs(spin) < kGreatestSpin;
+      root.spin -= std::copysign(std::min(step, longest), moment.value);
+      if (step <= longest) before = step;
+      longest *= 4.0;
+      possible = std::abs(root.spin) < kGreatestSpin;
     }
     if (last || !possible) break;
   }
-  if (!possible || !(moment.slope > 0.0)) return {spin, 0.0};
-  return {spin, -toothless_moment(model, {slip_ratio, 1.0}, {spin, 0.0}, possible).slope / moment.slope};
+  return root;
 }
 
-/// R_z with its slope along the slip ratio; none if a contact jams.
-std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio) {
+/// R_z with its slope along the slip ratio; none if a contact jams. `spin`: that of a balance nearby, then of this one.
+std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio, RollerSpin& spin) {
   bool possible = true;
-  const Dual<double> spin = free_spin(model, slip_ratio, possible);
-  const auto found = with_slopes(model, Dual<double>(slip_ratio, 1.0), spin, possible);
+  const SpinRoot root = spin_root(model, slip_ratio, spin.at(slip_ratio).spin, possible);
+  const RollerMomentsOf<Dual<double>> moments =
+      with_slopes(model, {slip_ratio, 1.0}, {root.spin, 0.0}, possible).moments;
   if (!possible) return std::nullopt;
-  return found.moments.residue() / residue_unit(model);
+  spin = {slip_ratio, root.spin, 0.0};
+  if (root.moment_slope > 0.0) spin.slope = -toothless_moment(model, moments).slope / root.moment_slope;
+  const Dual<double> residue = moments.residue();
+  return Dual<double>(residue.value, residue.slope + root.residue_slope * spin.slope) / residue_unit(model);
 }
 
 }  // namespace
 
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
   bool possible = true;
-  const double spin = free_spin(model, slip_ratio, possible).value;
+  const double spin = spin_root(model, slip_ratio, b.spin.at(slip_ratio).spin, possible).spin;
   for (const Interface i : kInterfaces) {
     PatchBalance& at = b.patches[i];
     at.friction.resize(model.threads[i].patches.size());
@@ -185,6 +200,7 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
         at.normal_load[k] = forces.normal_load;
         at.power += model.threads[i].alike * forces.normal_load * friction.power_per_load;
       }));
+  if (possible) b.spin = {slip_ratio, spin, b.spin.slope};
   return possible;
 }
 
@@ -195,12 +211,14 @@ double residue_unit(const SlipModel& m) {
 
 double relative_residue(const SlipModel& m, const SlipBalance& b) { return b.moments.residue() / residue_unit(m); }
 
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<double>& near) {
-  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio, near);
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<RollerSpin>& near) {
+  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio,
+                    near ? std::optional(near->slip_ratio) : std::nullopt);
   SlipEquilibrium found;
+  found.balance.spin = near.value_or(RollerSpin{});
   while (!search.done()) {
     if (search.wants_slope()) {
-      if (const auto residue = residue_with_slope(model, search.slip_ratio()))
+      if (const auto residue = residue_with_slope(model, search.slip_ratio(), found.balance.spin))
         search.take(residue->value, residue->slope);
       else
         search.jam();

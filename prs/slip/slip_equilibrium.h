@@ -80,8 +80,19 @@ struct PatchBalance {
   double power = 0.0;                            ///< Total lost power [W] (3.51).
 };
 
+/// Spin of a roller without teeth at a slip ratio, see `kinematics`; 0 with teeth.
+struct RollerSpin {
+  double slip_ratio = 0.0;
+  double spin = 0.0;
+  double slope = 0.0;  ///< Slope along the slip ratio.
+
+  /// The spin to expect at another slip ratio.
+  RollerSpin at(double other) const { return {other, spin + slope * (other - slip_ratio), slope}; }
+};
+
 /// Forces on one roller, and the results of its patches.
 struct SlipBalance : RollerBalance {
+  RollerSpin spin;  ///< Spin of the roller, from which the next balance starts.
   PerInterface<PatchBalance> patches;
   PerInterface<contact::PatchMotion> other_sliding;  ///< Motion on `SlipModel::other_flank`.
 
@@ -118,8 +129,8 @@ struct SlipEquilibrium {
 };
 
 /// Equilibrium by `SlipSearch`, to 1e-14 or better. Without friction every slip ratio balances and the ideal one is
-/// returned. An imposed one is used unchanged. `near`: a slip ratio that may be close.
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<double>& near = {});
+/// returned. An imposed one is used unchanged. `near`: a slip ratio and its spin that may be close.
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<RollerSpin>& near = {});
 
 /// Continues from an equilibrium under slightly changed loads: the balance at its slip ratio, and the next one by the
 /// slope. None if that is not a small step.

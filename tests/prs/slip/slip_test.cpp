@@ -458,6 +458,25 @@ TEST(Slip, AGroovedRollerBalancesWithoutTeeth) {
   EXPECT_NEAR(*free.efficiency, 1.0, 1e-12);
 }
 
+TEST(Slip, AGroovedRollerIsFoundFromAnyStart) {
+  for (const Case& c : {test::recirculating(), test::reversed(test::recirculating())}) {
+    const Result loads = analyze(c);
+    const SlipModel model = SlipModels(c, loads.contacts).of(loads.load_cases[0]);
+    const SlipEquilibrium alone = find_slip_equilibrium(model);
+    ASSERT_TRUE(alone.ok());
+    const RollerSpin& at = alone.balance.spin;
+    ASSERT_NE(at.spin, 0.0);
+    for (const double spin : {0.0, 0.999 * at.spin, -at.spin, 5.0, -80.0})
+      for (const double slope : {0.0, at.slope, -1e3})
+        for (const double slip_ratio : {at.slip_ratio, at.slip_ratio + 1e-4}) {
+          const SlipEquilibrium found = find_slip_equilibrium(model, RollerSpin{slip_ratio, spin, slope});
+          ASSERT_TRUE(found.ok()) << spin << " " << slope;
+          EXPECT_NEAR(found.balance.spin.slip_ratio, at.slip_ratio, 1e-13) << spin << " " << slope;
+          EXPECT_NEAR(found.balance.spin.spin, at.spin, 1e-13) << spin << " " << slope;
+        }
+  }
+}
+
 TEST(Slip, WithoutFrictionTheIdealSlipRatioAndFullEfficiencyRemain) {
   const SlipResult s = slip_of(test::with_coulomb(test::sandu_reference(), 0.0));
   EXPECT_EQ(s.status, SlipStatus::converged);
