@@ -8,6 +8,7 @@
 #include "prs/heat/analyze_heat.h"
 #include "prs/indices.h"
 #include "prs/model/check_case.h"
+#include "prs/model/quantity_text.h"
 #include "prs/side_by_side.h"
 #include "prs/slip/running.h"
 #include "prs/threads/geometry_warnings.h"
@@ -291,6 +292,12 @@ void add_preloaded_branches(const Conditions& c, const Contacts& contacts, doubl
 
 // Friction
 
+/// Torque due to friction at a force and a speed [N m], or how the search for its equilibrium ended without one.
+struct TorqueOfFriction {
+  std::optional<double> torque;
+  std::string_view failure;
+};
+
 /// Torque due to friction, at the forces and speeds of a table.
 class FrictionTorque {
  public:
@@ -303,34 +310,35 @@ class FrictionTorque {
     if (slip_takes_running_loads(c.model, pattern.share)) running_.emplace(c, contacts, models_);
   }
 
-  /// Torque [N m] at a signed force [N] and speed [rad/s]; none without equilibrium.
-  std::optional<double> at(double force, double speed) {
+  /// At a signed force [N] and speed [rad/s].
+  const TorqueOfFriction& at(double force, double speed) {
     const auto [known, is_new] = torque_.try_emplace({force, speed});
     if (!is_new) return known->second;
     points_.add(1);
-    if (running_) return known->second = running_at(force, speed);
+    return known->second = running_ ? under_running_loads(force, speed) : under_static_loads(force, speed);
+  }
+
+ private:
+  TorqueOfFriction under_static_loads(double force, double speed) {
     SlipModel& model = model_at(force);
     model.speed = speed;
     const SlipResult slip = slip_result(model);
-    if (slip.converged()) known->second = slip.torque_screw - force * model.geometry.lead / (2.0 * std::numbers::pi);
-    status_ = slip.status;
-    return known->second;
+    if (!slip.converged()) return {{}, name(slip.status)};
+    return {slip.torque_screw - without_friction(model, force), {}};
   }
-  /// Reason why there was none.
-  SlipStatus status() const { return status_; }
-
- private:
-  std::optional<double> running_at(double force, double speed) {
+  TorqueOfFriction under_running_loads(double force, double speed) {
     LoadCase load = pattern_;
     load.direction = force < 0.0 ? Direction::compression : Direction::tension;
     load.axial_force = std::abs(force);
     load.speed = speed;
     std::optional<SlipEquilibrium> slip;
     const LoadCaseResult found = running_->solve(load, Detail::numbers, slip);
-    status_ = slip ? slip->status : SlipStatus::no_equilibrium;
-    if (!found.threads) return std::nullopt;
+    if (!found.threads) return {{}, name(found.running->status)};
     const SlipModel model = models_.of(found);
-    return drive_torques(model, slip->balance).screw - force * model.geometry.lead / (2.0 * std::numbers::pi);
+    return {drive_torques(model, slip->balance).screw - without_friction(model, force), {}};
+  }
+  static double without_friction(const SlipModel& model, double force) {
+    return force * model.geometry.lead / (2.0 * std::numbers::pi);
   }
   SlipModel& model_at(double force) {
     if (const auto known = model_.find(force); known != model_.end()) return known->second;
@@ -344,8 +352,7 @@ class FrictionTorque {
   SlipModels models_;
   std::optional<RunningSolver> running_;
   std::map<double, SlipModel> model_;
-  std::map<std::pair<double, double>, std::optional<double>> torque_;
-  SlipStatus status_ = SlipStatus::not_computed;
+  std::map<std::pair<double, double>, TorqueOfFriction> torque_;
 };
 
 double force_of(double root) { return root * std::abs(root); }
@@ -374,12 +381,13 @@ FrictionTable table_on(const std::vector<double>& root_force, const std::vector<
       if (table.root_force[j] * force_sign < 0.0) continue;
       for (const auto i : indices(table.speed)) {
         const double force = force_of(table.root_force[j]), speed = speed_sign * table.speed[i];
-        const std::optional<double> found = torque.at(force, speed);
+        const auto& [found, failure] = torque.at(force, speed);
         if (!found)
-          throw CaseError("friction",
-                          fmt::format("slip ends as {} at {:.4g} N and {:.4g} rad/s, so that there is no torque for "
-                                      "`export`; ask for less by --force or --speed, or check friction and carrier",
-                                      name(torque.status()), force, speed));
+          throw CaseError(
+              "friction",
+              fmt::format("slip ends as {} at {} and {}, so that there is no torque for `export`; ask for less "
+                          "by --force or --speed, or check friction and carrier",
+                          failure, newton(force), rpm(speed)));
         (speed_sign > 0.0 ? table.forward : table.backward)[i * roots + j] = *found;
       }
     }
@@ -430,7 +438,7 @@ double least_root(QuadrantTorques& torque, double largest_root, const std::vecto
     const double force = force_of(share * largest_root);
     for (const double speed : speeds)
       for (const double f : {force, -force})
-        for (const double v : {speed, -speed}) all = all && torque.of(f, v).at(f, v);
+        for (const double v : {speed, -speed}) all = all && torque.of(f, v).at(f, v).torque;
     if (all) return share * largest_root;
   }
   return kMost * largest_root;
@@ -487,7 +495,7 @@ FrictionTable friction_table(QuadrantTorques& torque, double force, double speed
     const double f = force_of(0.7 * roots[j] + 0.3 * roots[j + 1]), v = sign * (0.7 * speeds[i] + 0.3 * speeds[i + 1]);
     int beyond = 0;
     if (roots[j] * roots[j + 1] > 0.0)
-      if (const std::optional<double> found = torque.of(f, v).at(f, v))
+      if (const std::optional<double>& found = torque.of(f, v).at(f, v).torque)
         error = std::max(error, std::abs(*found - prs_torque(&curves, f, v, &beyond)) / largest);
   }
   return table;

@@ -249,6 +249,17 @@ TEST(SystemCurves, TorqueThatDoesNotDependOnTheSpeedIsThatOfSlipAtEach) {
   expect_torque_of_slip(std::move(c));
 }
 
+TEST(SystemCurves, SpeedWithoutEquilibriumIsAnErrorThatSaysHowSlipEnded) {
+  const Case c = of_friction("{coulomb: 0.08}");
+  try {
+    system_curves(c, {.force = 20e3, .speed = 1e8});
+    FAIL();
+  } catch (const CaseError& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("slip ends as iteration_limit"));
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("rpm"));
+  }
+}
+
 /// Friction costs power: torque x speed is more than force x travel, in both senses of both.
 TEST(SystemCurves, FrictionTakesPower) {
   const SystemCurves curves = system_curves(of_friction("{coulomb: 0.08}"), {.force = 20e3});
