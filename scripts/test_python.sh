@@ -19,8 +19,9 @@ for part in (read["build-system"]["requires"], read["project"]["dependencies"],
 [[ ${1:-} != --tools ]] || exit 0
 
 # By the same CMake as the rest: another one, which packages bring, would compile everything again.
-CMAKE_EXECUTABLE=$(command -v cmake) "${pip[@]}" --no-deps --no-build-isolation -C build-dir=build/release \
-  -C cmake.define.PRS_FULL=ON -C cmake.define.PRS_BUILD_TESTS=ON .
+CMAKE_EXECUTABLE=$(command -v cmake) "${pip[@]}" --no-deps --no-build-isolation \
+  --config-settings=build-dir=build/release --config-settings=cmake.define.PRS_FULL=ON \
+  --config-settings=cmake.define.PRS_BUILD_TESTS=ON .
 unset PYTHONDONTWRITEBYTECODE  # Hundreds of processes load the same modules.
 export PYTHONPYCACHEPREFIX=$PWD/build/pycache PRS_EXECUTABLE=$PWD/build/release/prs/cli/prs PRS_CACHE_DIR= MPLBACKEND=Agg
 "$venv/bin/mypy"

@@ -292,10 +292,11 @@ void add_preloaded_branches(const Conditions& c, const Contacts& contacts, doubl
 
 // Friction
 
-/// Torque due to friction at a force and a speed [N m], or how the search for its equilibrium ended without one.
+/// Torque due to friction at a force and a speed [N m], or how the search for its equilibrium ended without one: `slip
+/// ends as jammed`.
 struct TorqueOfFriction {
   std::optional<double> torque;
-  std::string_view failure;
+  std::string failure;
 };
 
 /// Torque due to friction, at the forces and speeds of a table.
@@ -323,7 +324,7 @@ class FrictionTorque {
     SlipModel& model = model_at(force);
     model.speed = speed;
     const SlipResult slip = slip_result(model);
-    if (!slip.converged()) return {{}, name(slip.status)};
+    if (!slip.converged()) return {{}, fmt::format("slip ends as {}", name(slip.status))};
     return {slip.torque_screw - without_friction(model, force), {}};
   }
   TorqueOfFriction under_running_loads(double force, double speed) {
@@ -333,7 +334,7 @@ class FrictionTorque {
     load.speed = speed;
     std::optional<SlipEquilibrium> slip;
     const LoadCaseResult found = running_->solve(load, Detail::numbers, slip);
-    if (!found.threads) return {{}, name(found.running->status)};
+    if (!found.threads) return {{}, fmt::format("running loads end as {}", name(found.running->status))};
     const SlipModel model = models_.of(found);
     return {drive_torques(model, slip->balance).screw - without_friction(model, force), {}};
   }
@@ -383,11 +384,10 @@ FrictionTable table_on(const std::vector<double>& root_force, const std::vector<
         const double force = force_of(table.root_force[j]), speed = speed_sign * table.speed[i];
         const auto& [found, failure] = torque.at(force, speed);
         if (!found)
-          throw CaseError(
-              "friction",
-              fmt::format("slip ends as {} at {} and {}, so that there is no torque for `export`; ask for less "
-                          "by --force or --speed, or check friction and carrier",
-                          failure, newton(force), rpm(speed)));
+          throw CaseError("friction",
+                          fmt::format("{} at {} and {}, so that there is no torque for `export`; ask for less "
+                                      "by --force or --speed, or check friction and carrier",
+                                      failure, newton(force), rpm(speed)));
         (speed_sign > 0.0 ? table.forward : table.backward)[i * roots + j] = *found;
       }
     }

@@ -36,10 +36,9 @@ std::string units_like(std::string_view unit) {
   return d ? unit_list(*d) : std::string(unit);
 }
 
-Readings::Readings(const std::string& file, std::string at, const Source& source)
-    : at_(std::move(at)),
-      source_(source),
-      text_(named_file_text(file, at_ + ".file", source)),
+Readings::Readings(const std::string& file, const std::string& at, const Source& source)
+    : source_(source),
+      text_(named_file_text(file, at + ".file", source)),
       name_(std::filesystem::path(name_in_messages(file, source)).lexically_normal().string()),
       reader_(text_) {
   if (!next()) refuse_file("which has no heading");
@@ -109,9 +108,11 @@ void Readings::refuse_name(std::size_t field, const std::string& expected) const
 }
 
 void Readings::refuse_file(const std::string& what) const {
-  fail_at(source_, at_ + ".file",
-          "got {}, {}; expected a line with the names of the columns, then one row per reading; check the file", name_,
-          what);
+  throw InputError(
+      fmt::format("{0}:1:1: error: got {0}, {1}; expected a line with the names of the columns, then one row per "
+                  "reading; check the "
+                  "file",
+                  name_, what));
 }
 
 }  // namespace prs::input

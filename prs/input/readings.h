@@ -26,7 +26,7 @@ std::string units_like(std::string_view unit);
 class Readings {
  public:
   /// `at`: path of the block, whose key `file` has the name. Reads the heading.
-  Readings(const std::string& file, std::string at, const Source& source);
+  Readings(const std::string& file, const std::string& at, const Source& source);
 
   const std::string& name() const { return name_; }                 ///< Name of the file in messages.
   const std::vector<std::string>& names() const { return names_; }  ///< Names of the columns.
@@ -46,7 +46,6 @@ class Readings {
   [[noreturn]] void refuse_file(const std::string& what) const;
 
  private:
-  std::string at_;
   const Source& source_;
   std::string text_, name_;
   CsvReader reader_;

@@ -85,6 +85,14 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
   if (!(r.largest_force > 0.0) && !c.preload)
     throw CaseError(path, "got no load other than 0; expected loads; check the column of the force");
   if (speed && *speed > 0.0) r.moving_rate = *speed / (2.0 * std::numbers::pi);
+  constexpr double kRounding = 1e-5;
+  if (const double moving = r.moving_rate ? r.revolutions / *r.moving_rate : 0.0;
+      c.life->period && moving > (1.0 + kRounding) * *c.life->period)
+    r.warnings.push_back(Warning{"life.period", "short_period",
+                                 "a pass of the spectrum takes {value} at `operation.speed`, more than its period of "
+                                 "{limit}",
+                                 "state the time of the whole pass, or the speed of its motion"}
+                             .with(moving, *c.life->period, "s"_unit));
   r.revolution_rate = r.duration && *r.duration > 0.0 ? std::optional(r.revolutions / *r.duration) : r.moving_rate;
 }
 
@@ -376,7 +384,7 @@ void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCur
       if (!(largest > 0.0)) continue;
       const OverStatic over{std::ranges::max(run) / largest, std::accumulate(run.begin(), run.end(), 0.0) /
                                                                  std::accumulate(rest.begin(), rest.end(), 0.0)};
-      if (std::abs(over.largest - 1.0) > std::abs(s.over_static[i].largest - 1.0)) s.over_static[i] = over;
+      if (is_worse(over, s.over_static[i])) s.over_static[i] = over;
     }
   }
 }
@@ -392,15 +400,21 @@ ShareCurve::Solve keeping_larger(ContactSolver solve, double greatest,
   };
 }
 
+/// A force without thread loads [N], at rest or running.
+struct FailedLoad {
+  double force = 0.0;
+  bool is_running = false;
+};
+
 /// Computes curves of a sense and the damage of its loads; returns the force if they failed.
-std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
+std::optional<FailedLoad> find_cubes(const LifeModel& p, Sense& s, Direction d) {
   const auto found = [&](const ShareCurve& curve) {
     s.solves += curve.solves();
     s.error = std::max(s.error, curve.error());
     return curve.failed_at();
   };
   s.curve = curve_of_sense(p, s, keeping_larger([&](double force) { return s.solve(force); }, HUGE_VAL, s.resting));
-  if (const auto failed = found(*s.curve)) return failed;
+  if (const auto failed = found(*s.curve)) return FailedLoad{*failed};
   s.cubes = s.cubes_at_rest = cubes_of(p, s, *s.curve, s.turns);
   if (!p.running()) return std::nullopt;
   s.cubes.assign(s.cubes.size(), 0.0);
@@ -415,8 +429,8 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
       if (turns[k] > 0.0) largest = std::max(largest, s.forces[k]);
     const ShareCurve::Solve rated_at = keeping_larger(running, largest, s.turning);
     const ShareCurve curve = running_curve(p, s, turns, rated_at);
-    if (const auto failed = found(curve)) return failed;
-    if (!rated_at(largest)) return largest;
+    if (const auto failed = found(curve)) return FailedLoad{*failed, true};
+    if (!rated_at(largest)) return FailedLoad{largest, true};
     compare_with_rest(p, s, d, curve, turns);
     const std::vector<double> cubes = cubes_of(p, s, curve, turns);
     for (std::size_t k = 0; k < cubes.size(); ++k) s.cubes[k] += cubes[k];
@@ -424,7 +438,11 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
   return std::nullopt;
 }
 
-std::string failure_at(const LifeModel& p, double force, Direction d) {
+std::string failure_at(const LifeModel& p, const FailedLoad& at, Direction d) {
+  const double force = at.force;
+  if (at.is_running)
+    return fmt::format("the screw does not run under {:.6g} N in {}: `prs slip` under this force says why", force,
+                       name(d));
   const std::string why = why_not_held(p, d, force);
   return fmt::format("the load distribution under {:.6g} N in {} did not converge{}{}", force, name(d),
                      why.empty() ? "" : ": ", why);
@@ -587,7 +605,7 @@ void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResul
   const auto largest = solved(s.at_largest, s.largest);
   const auto running = runs ? solved(s.at_running, s.running) : largest;
   if (!largest || !running) {
-    r.failure = failure_at(p, s.largest, d);
+    r.failure = failure_at(p, {s.largest}, d);
     return;
   }
   for (const Interface i : kInterfaces) {
@@ -619,7 +637,7 @@ void find_lives(const LifeModel& p, LifeResult& r) {
     if (!wanted[d]) continue;
     Sense& s = senses[d];
     s.solver = solvers[d];
-    if (const std::optional<double> failed = find_cubes(p, s, d)) {
+    if (const std::optional<FailedLoad> failed = find_cubes(p, s, d)) {
       r.failure = failure_at(p, *failed, d);
       return;
     }
@@ -690,7 +708,7 @@ void warn_of_loads(LifeResult& r) {
   const std::optional<double> static_capacity =
       r.life.static_capacity ? r.life.static_capacity : r.equal_shares_static_capacity;
   if (static_capacity)
-    add(dynamic_above_static(r.dynamic_capacity, *static_capacity),
+    add(dynamic_above_static(r.dynamic_capacity, *static_capacity, r.life.static_capacity.has_value()),
         r.life.dynamic_capacity ? "life.dynamic_capacity" : "mechanism.profile");
 }
 

@@ -53,7 +53,7 @@ std::string by_pressure(const FlankLife& flank) {
 std::vector<FoundCriterion> life_criteria(const LifeResult& r, const JudgedCase& of) {
   const std::string_view where = loads_of(r);
   FoundCriterion safety = static_safety_criterion(of.c), edge("flank_edge"), pressure("peak_pressure"),
-                 temperature("temperature"), stroke("stroke"), speed("largest_speed"),
+                 temperature("temperature"), stroke = stroke_criterion(of.c), speed("largest_speed"),
                  compression("largest_compression"), tension("largest_tension");
   if (r.history)
     for (const LoadStep& step : r.steps)

@@ -70,11 +70,12 @@ std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_loa
       .with(load, edge_load, "kN"_unit);
 }
 
-std::optional<Warning> dynamic_above_static(double dynamic_capacity, double static_capacity) {
+std::optional<Warning> dynamic_above_static(double dynamic_capacity, double static_capacity, bool is_stated) {
   if (!(dynamic_capacity > static_capacity)) return std::nullopt;
   return Warning{"", "dynamic_above_static",
-                 "the dynamic capacity of {value} is above the static one of {limit}; "
-                 "makers' static capacities are 1.4 to 4 times the dynamic",
+                 fmt::format("the dynamic capacity of {{value}} is above the static one of {{limit}}{}; makers' static "
+                             "capacities are 1.4 to 4 times the dynamic",
+                             is_stated ? "" : " with equal thread loads"),
                  "check stated capacities, which must be one maker's, or the profile radius"}
       .with(dynamic_capacity, static_capacity, "kN"_unit);
 }

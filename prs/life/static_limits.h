@@ -78,8 +78,9 @@ inline constexpr double kUsualStaticSafety = 1.5;
 /// [N] and less than `kUsualStaticSafety` times the load [N]. `ellipse`: its name.
 std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load, double static_capacity, double load);
 
-/// A warning if the dynamic capacity [N] exceeds the static one [N], which is not so for any maker.
-std::optional<Warning> dynamic_above_static(double dynamic_capacity, double static_capacity);
+/// A warning if the dynamic capacity [N] exceeds the static one [N], which is not so for any maker. `is_stated`:
+/// whether the file states the static one; else it is that of equal thread loads.
+std::optional<Warning> dynamic_above_static(double dynamic_capacity, double static_capacity, bool is_stated);
 
 /// A warning if a force [N] exceeds its static rating.
 std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating, std::string_view shares = {});

@@ -313,7 +313,8 @@ std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& conta
   if (m.geometry_factor && m.dynamic_capacity && !(c.life && c.life->dynamic_capacity))
     warnings = beside_lemor_range(*lemor_angle(c, contacts), *contacts.mechanism.pitch_diameter.screw);
   if (m.dynamic_capacity && m.static_capacity)
-    add("mechanism.profile", dynamic_above_static(*m.dynamic_capacity, *m.static_capacity));
+    add("mechanism.profile",
+        dynamic_above_static(*m.dynamic_capacity, *m.static_capacity, c.life && c.life->static_capacity));
   if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)
     warnings.push_back({"structure.screw.bore", "bored_through",
                         "the bore of the screw reaches the roots of its thread: no "

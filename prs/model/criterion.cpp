@@ -75,4 +75,10 @@ std::optional<double> loaded_length(const Case& c) {
                                            : m.contacts_per_roller * std::abs(m.lead) / m.starts.screw;
 }
 
+FoundCriterion stroke_criterion(const Case& c, std::string_view reason) {
+  FoundCriterion stroke("stroke", reason);
+  if (carrier_part(c.mechanism.type) == Part::screw) stroke.title = "Stroke over rollers' threads";
+  return stroke;
+}
+
 }  // namespace prs

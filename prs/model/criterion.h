@@ -231,6 +231,8 @@ std::string lacking_pressure_limits(const std::optional<Materials>& materials);
 
 /// Length of the nut, or of the rollers' threads that travel in an inverted one [m]; none where there is no stroke.
 std::optional<double> loaded_length(const Case& c);
+/// Criterion of the stroke under load over that length, titled by what it is the length of.
+FoundCriterion stroke_criterion(const Case& c, std::string_view reason = {});
 
 /// A case for which analyses return their criteria.
 struct JudgedCase {

@@ -223,11 +223,12 @@ namespace {
 /// How long the loads of a spectrum act: all by shares, or none.
 void check_spectrum(const Case& c, Problems& problems) {
   double shares = 0.0, way = 0.0;
+  const double lead = std::abs(c.mechanism.lead);
   for (std::size_t i = 0; i < c.life->spectrum.size(); ++i) {
     const SpectrumLoad& l = c.life->spectrum[i];
     const std::string path = fmt::format("life.spectrum[{}]", i);
     shares += l.share.value_or(0.0);
-    way += l.distance.value_or(0.0);
+    way += l.distance.value_or(l.revolutions.value_or(0.0) * lead);
     if (l.force == 0.0 && !(c.preload && !c.preload->backlash))
       problems.add(path + ".force",
                    "got 0 N; expected a force > 0, or a `preload`, under which threads roll without one; delete the "
@@ -244,9 +245,10 @@ void check_spectrum(const Case& c, Problems& problems) {
       check_thrust(l.direction, path, c.structure->nut, problems);
   }
   if (c.life->travel && *c.life->travel < (1.0 - 1e-9) * way)
-    problems.add("life.travel",
-                 "got {}; expected at least {}, the distances of the spectrum; add the travel without load",
-                 mm(*c.life->travel), mm(way));
+    problems.add(
+        "life.travel",
+        "got {}; expected at least {}, the travel under the loads of the spectrum; add the travel without load",
+        mm(*c.life->travel), mm(way));
   if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
     problems.add("life.spectrum",
                  "got shares with the sum {:.6g}; expected 1, within 0.001; fix a share, or write "

@@ -211,8 +211,10 @@ class ReferenceReader {
                                                     columns_[0].response));
     for (const Column& column : columns_)
       if (const std::vector<Problem> lacks = missing(case_, column.of->command); !lacks.empty())
-        fail("file", "got {} of a case that `prs {}` cannot run: {}: {}", column.response, name(column.of->command),
-             lacks[0].path, lacks[0].message);
+        table.refuse_name(column.field,
+                          fmt::format("expected the response of a command that the case is ready for; `prs {}` is not: "
+                                      "{}: {}",
+                                      name(column.of->command), lacks[0].path, lacks[0].message));
     const std::string& response = columns_[0].response;
     if (is_of_load(input_path_) &&
         (response.starts_with("contact.") || (response.starts_with("life.") && input_path_ == kForce)))
@@ -293,6 +295,10 @@ class ReferenceReader {
         if (split_heading(path).stem == stem && of.has(path, is_over_threads()))
           if (const auto to_unit = input::conversion(unit, unit_of_response(path)))
             return {field, &of, path, unit_of_response(path), *to_unit};
+    if (!input_named(name).empty())
+      table.refuse_name(field, fmt::format("expected `thread` or a force, not both, and {} stands there already; give "
+                                           "the columns a file each",
+                                           table.names()[along_]));
     table.refuse_name(field, fmt::format("expected `thread`, `load_case`, `force_kN` or {} by its name; {}",
                                          is_over_threads() ? "an array over threads" : "a number that a command finds",
                                          nearest_responses(name, is_over_threads())));
@@ -344,8 +350,10 @@ class ReferenceReader {
     const bool is_one = std::ranges::all_of(
         case_.load_cases, [&](const LoadCase& load) { return load.input_path == case_.load_cases.front().input_path; });
     if (names.size() == 1 || (!input_path_.empty() && is_one)) return *find_load_or_first(names);
-    fail("file", "got {}, which names no load case; expected a column `load_case`, or the key `load_case`: {}; add one",
-         table.name(), shown(fmt::format("{}", fmt::join(names, ", "))));
+    table.refuse_file(
+        fmt::format("which names no load case; a column `load_case`, or the key `load_case` of "
+                    "`references`, names one of {}",
+                    shown(fmt::format("{}", fmt::join(names, ", ")))));
   }
   const LoadCase* find_load_or_first(const std::vector<std::string>& names) const { return find_load(names.front()); }
 

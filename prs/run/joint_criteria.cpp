@@ -93,7 +93,8 @@ FoundCriterion following(CriterionKey key, const FoundCriterion& other, std::opt
 
 std::vector<FoundCriterion> case_criteria(const Case& c, const Contacts& contacts) {
   FoundCriterion speed("largest_speed", "add operation.speed"), compression("largest_compression"),
-      tension("largest_tension"), diameter("nut_diameter"), length("nut_length"), stroke("stroke", "add life.stroke");
+      tension("largest_tension"), diameter("nut_diameter"), length("nut_length"),
+      stroke = stroke_criterion(c, "add life.stroke");
   for (const LoadCase& load : c.load_cases) {
     if (load.speed) speed.take(std::abs(*load.speed), load.name);
     if (axial_force_on_nut(load) < 0.0) compression.take(std::abs(load.axial_force), load.name);

@@ -164,6 +164,7 @@ void add_lacking(const input::CaseInput& in, std::span<const Attempt> attempts, 
   for (const Attempt& attempt : attempts) {
     if (attempt.lacking == Attempt::Lacking::program && left_out(in.values).empty())
       verdict.not_built.emplace_back(name(attempt.command));
+    if (attempt.lacking == Attempt::Lacking::time) verdict.skipped.emplace_back(name(attempt.command));
     if (attempt.delivery) continue;
     evidence.lacking[attempt.command] = attempt.failure;
     if (attempt.lacking == Attempt::Lacking::input) wrong[attempt.command] = attempt.failure;
@@ -177,6 +178,18 @@ void add_lacking(const input::CaseInput& in, std::span<const Attempt> attempts, 
     evidence.lacking[command] = fmt::format("`{}` found an error", name(command));
   }
   if (!verdict.impossible.empty()) add_impossible(evidence, verdict);
+}
+
+/// Adds that nothing is known of the tolerances of references where `compare` has no result.
+void add_unseen_references(const input::CaseInput& in, Evidence& evidence) {
+  const std::string* const why = evidence.why_not(Command::compare);
+  const auto is_tolerance = [](const input::EchoEntry& f) {
+    return f.path.starts_with("references[") && f.path.ends_with(".tolerance");
+  };
+  if (!why || std::ranges::none_of(in.fields, is_tolerance)) return;
+  FoundCriterion found("references", *why);
+  found.limit = 1.0;
+  evidence.add(Command::compare, {found});
 }
 
 /// Loads under preload; where they cannot be had, `evidence` says why.
@@ -336,7 +349,8 @@ Standing CaseVerdict::standing() const {
   const auto any = [&](auto of) { return std::ranges::any_of(criteria, of); };
   const auto has = [&](Standing s) { return any([&](const Criterion& c) { return c.standing == s; }); };
   if (has(Standing::red)) return Standing::red;
-  if (has(Standing::amber) || any(is_unknown) || !not_built.empty() || !failed.empty()) return Standing::amber;
+  if (has(Standing::amber) || any(is_unknown) || !not_built.empty() || !skipped.empty() || !failed.empty())
+    return Standing::amber;
   return has(Standing::green) ? Standing::green : Standing::no_limit;
 }
 
@@ -346,6 +360,7 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
   add_lacking(in, attempts, evidence, verdict);
   add_unusual(in, evidence);
   add_found(in, attempts, evidence, verdict);
+  add_unseen_references(in, evidence);
   for (const CriterionRow& row : kCriteria)
     if (!row.title.empty()) add(row, evidence, in.limits.value_or(Limits{}), verdict);
   return verdict;
@@ -379,6 +394,8 @@ std::string summary(const CaseVerdict& verdict) {
   tell("Not computed, so not met", titles(verdict, is_unknown));
   tell("Not assessed because of an error in the input", fmt::format("{}", fmt::join(verdict.failed, ", ")));
   tell("Not judged, because not built", fmt::format("{}", fmt::join(verdict.not_built, ", ")));
+  tell("Not judged, because these take long and `prs report` runs them",
+       fmt::format("{}", fmt::join(verdict.skipped, ", ")));
   if (!verdict.is_complete)
     text += text.empty() ? "Other criteria follow." : " Other criteria follow.";
   else if (text.empty())
@@ -431,6 +448,8 @@ constexpr Quantity<CaseVerdict> kVerdict[] = {
     {"criteria", of<&CaseVerdict::criteria>, "each with its worst value"},
     {"not_built", filled<[](const CaseVerdict& v) { return v.not_built; }>,
      "commands that the case is ready for and this program leaves out; scripts/install.sh builds all"},
+    {"skipped", filled<[](const CaseVerdict& v) { return v.skipped; }>,
+     "commands that the case is ready for and that were not run, as they take long; `prs report` runs them"},
     {"failed", filled<[](const CaseVerdict& v) { return v.failed; }>,
      "commands that the case is ready for and that found something wrong with it"},
 };

@@ -13,13 +13,15 @@ struct CaseVerdict {
   bool is_complete = true;  ///< All commands were asked that the case is ready for.
   /// Commands that the case is ready for and the program leaves out (PRS_FULL).
   std::vector<std::string> not_built = {};
+  /// Commands that the case is ready for and that were not run, as they take long.
+  std::vector<std::string> skipped = {};
   /// Commands that the case is ready for and that found something wrong with it.
   std::vector<std::string> failed = {};
   /// Reason of `solve` or `measures` why no screw can be like this; empty for a possible one.
   std::string impossible = {};
 
   /// The worst: red, amber, green; red of an impossible screw, amber where a stated limit has no value, or a command
-  /// failed or is not built. `no_limit` where nothing is held against a limit.
+  /// failed, was skipped or is not built. `no_limit` where nothing is held against a limit.
   Standing standing() const;
 };
 

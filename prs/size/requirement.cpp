@@ -502,7 +502,12 @@ std::vector<MotionSegment> history_segments(const Requirement::History& h, const
   std::vector<MotionSegment> segments;
   for (std::size_t k = 1; k < t.size(); ++k)
     if (t[k] > t[k - 1])
-      segments.push_back({fmt::format("sample-{}", k), t[k] - t[k - 1], v[k - 1], v[k], 0.5 * (f[k - 1] + f[k])});
+      segments.push_back({.name = fmt::format("sample-{}", k),
+                          .duration = t[k] - t[k - 1],
+                          .start_speed = v[k - 1],
+                          .end_speed = v[k],
+                          .external_force = 0.5 * (f[k - 1] + f[k]),
+                          .force_of_samples = std::max(std::abs(f[k - 1]), std::abs(f[k]))});
   if (segments.empty())
     fail_at(source, kHistoryFile,
             "got {}, whose samples all have one time; expected a time that runs; check the column", h.file);
@@ -519,8 +524,13 @@ struct LeverSample {
 MotionSegment between(const Requirement& r, std::string name, const LeverSample& a, const LeverSample& b) {
   const PrsLever from = prs_lever(&*r.linkage, a.angle), to = prs_lever(&*r.linkage, b.angle);
   const double duration = b.time - a.time, inertia = r.load.inertia * (b.speed - a.speed) / duration;
-  MotionSegment s{std::move(name), duration, from.ratio * a.speed, to.ratio * b.speed,
-                  0.5 * ((a.torque + inertia) / from.ratio + (b.torque + inertia) / to.ratio)};
+  const double start = (a.torque + inertia) / from.ratio, end = (b.torque + inertia) / to.ratio;
+  MotionSegment s{.name = std::move(name),
+                  .duration = duration,
+                  .start_speed = from.ratio * a.speed,
+                  .end_speed = to.ratio * b.speed,
+                  .external_force = 0.5 * (start + end),
+                  .force_of_samples = std::max(std::abs(start), std::abs(end))};
   const double travel = to.length - from.length;
   if (s.start_speed * s.end_speed >= 0.0 && travel * (s.start_speed + s.end_speed) >= 0.0) s.own_travel = travel;
   return s;
@@ -655,6 +665,22 @@ struct Read {
   Node root;
 };
 
+/// Forces of samples well beyond those of the cycle, which are means of two samples.
+std::optional<Warning> peaks_between_samples(const MotionCycle& cycle) {
+  constexpr double kWellBeyond = 1.05;
+  double samples = 0.0, means = 0.0;
+  for (const MotionSegment& s : cycle.all) {
+    samples = std::max(samples, s.force_of_samples);
+    means = std::max(means, std::abs(s.external_force));
+  }
+  if (!(samples > kWellBeyond * means)) return std::nullopt;
+  return Warning{"motion.history", "peaks_between_samples",
+                 "a sample has the force {value}, and the largest mean of two neighbours, with which the cycle is "
+                 "computed, is {limit}: largest force, static safety, buckling and peak torque miss the peak",
+                 "sample the peak more closely, or state it as segments of `motion`"}
+      .with(samples, means, "N"_unit);
+}
+
 Read read(const Source& source) {
   ErrorList errors(source);
   Read read;
@@ -702,6 +728,12 @@ Read read(const Source& source) {
                                        "the cycle ends {value} from where it begins, though it is repeated",
                                        "state the way back, too"}
                                    .with(left, {}, "mm"_unit));
+  if (!cycle.mean_load)
+    read.in.warnings.push_back(
+        {"motion", "at_rest",
+         "nothing moves under a force; a case that `--write` writes then has a travel of 1 mm at "
+         "1 mm/s for its form, whose life and shares of speeds say nothing"});
+  if (std::optional<Warning> note = peaks_between_samples(cycle)) read.in.warnings.push_back(std::move(*note));
   return read;
 }
 

@@ -163,6 +163,8 @@ struct MotionSegment {
   double force = 0.0;                     ///< Axial force on the screw, > 0 if it pushes in the positive sense.
   std::size_t shown_as = 0;               ///< Index among the shown segments; for classes that of the class.
   std::optional<double> own_travel = {};  ///< Travel of a class, or between two samples of a lever.
+  /// Larger magnitude of the external forces of two samples, of which `external_force` is the mean [N].
+  double force_of_samples = 0.0;
 
   double acceleration() const { return (end_speed - start_speed) / duration; }
   double travel() const { return own_travel.value_or(0.5 * (start_speed + end_speed) * duration); }

@@ -3,7 +3,6 @@
 #include <numeric>
 
 #include "prs/indices.h"
-#include "prs/slip/running_equilibrium.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_warnings.h"
 

@@ -4,6 +4,7 @@
 #include "prs/loads/full_result.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/sector/roller_guides.h"
+#include "prs/slip/running_equilibrium.h"
 #include "prs/slip/slip_model.h"
 
 namespace prs {
@@ -68,7 +69,7 @@ class RunningSolver {
   std::map<std::pair<Direction, double>, std::unique_ptr<SectorAt>> sectors_;
   std::optional<FlankSolver> flanks_;
   std::optional<SlipEquilibrium> second_nut_;
-  std::optional<RollerSpin> last_spin_;
+  SpinOfNuts last_spin_;
 };
 
 inline bool is_held(const Conditions& c, const LoadCase& load) { return screw_speed(c, load) == 0.0; }

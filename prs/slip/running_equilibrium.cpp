@@ -71,10 +71,10 @@ class FixedPoint {
     head_share_ = disc_area(c.structure->roller.end_diameter) / volume;
   }
 
-  std::vector<SlipEquilibrium> solve(BodyAnswer answer, const RunningBodies& bodies, std::optional<RollerSpin>& near) {
+  std::vector<SlipEquilibrium> solve(BodyAnswer answer, const RunningBodies& bodies, SpinOfNuts& near) {
     RunningLoads& r = running();
     std::vector<SlipEquilibrium> slip;
-    std::vector<std::optional<RollerSpin>> last(2, near);
+    SpinOfNuts last = near;
     bool anew = true;  // Whether to search the slip ratio again, in place of a step by the last slope.
     push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
@@ -114,7 +114,7 @@ class FixedPoint {
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
       r.guide_force = answer.guide_force;
       r.status = RunningStatus::converged;
-      near = slip.front().balance.spin;
+      for (const auto n : indices(slip)) near[n] = slip[n].balance.spin;
       for (const Slipping& nut : nuts) set_axial_loads(nut);
       for (const Interface i : kInterfaces)
         threads()[i].running_over_static = over_static(threads()[i], r.at_rest.largest_normal_load[i]);
@@ -304,7 +304,7 @@ class FixedPoint {
 
 RunningEquilibrium running_equilibrium(const Conditions& c, const Contacts& contacts, const SlipModels& models,
                                        RunningRollers rollers, BodyAnswer at_rest, const RunningBodies& bodies,
-                                       LoadCaseResult& loaded, std::optional<RollerSpin>& near) {
+                                       LoadCaseResult& loaded, SpinOfNuts& near) {
   FixedPoint point(c, contacts, models, std::move(rollers), loaded);
   RunningEquilibrium found{point.solve(std::move(at_rest), bodies, near), {}};
   found.push = std::move(point).push();

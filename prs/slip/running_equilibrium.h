@@ -40,12 +40,15 @@ struct RunningEquilibrium {
   std::vector<RollerPush> push;
 };
 
+/// Slip ratio and spin of the rollers of each nut, where they are known.
+using SpinOfNuts = std::array<std::optional<RollerSpin>, 2>;
+
 /// Finds the loads and the friction of a running screw that bring forth each other, from the state at rest, which
 /// `loaded` and `at_rest` have. The loads of `loaded` become those of the running screw, and its `running` says how the
-/// search ended. `near`: the last slip ratio and spin that were found.
+/// search ended. `near`: the last slip ratio and spin of each nut that were found.
 RunningEquilibrium running_equilibrium(const Conditions& c, const Contacts& contacts, const SlipModels& models,
                                        RunningRollers rollers, BodyAnswer at_rest, const RunningBodies& bodies,
-                                       LoadCaseResult& loaded, std::optional<RollerSpin>& near);
+                                       LoadCaseResult& loaded, SpinOfNuts& near);
 
 /// How a search ends whose bodies end with this status.
 RunningStatus running_status(fe::NewtonStatus status);

@@ -126,17 +126,19 @@ Dual<double> toothless_moment(const SlipModel& model, const RollerMomentsOf<Dual
 
 struct SpinRoot {
   double spin = 0.0;
-  double moment_slope = 0.0, residue_slope = 0.0;  ///< Slopes of that moment and of R_z along the spin.
+  /// Slopes of `toothless_moment` and of R_z along the spin, where they were evaluated last.
+  double moment_slope = 0.0, residue_slope = 0.0;
 };
 
-/// Spin at which that moment vanishes: Newton's method between bounds. The force that then lacks along the orbit is
-/// what teeth would give, so that the residue of the moments vanishes with it. 0 with teeth. Not possible where the
-/// threads cannot overcome the carrier's torque. `start`: a spin that may be close.
-SpinRoot spin_root(const SlipModel& model, double slip_ratio, double start, bool& possible) {
-  if (!contact::is_grooved(model.geometry.type)) return {};
+constexpr double kGreatestSpin = 1e3;
+
+/// Spin at which `toothless_moment` vanishes: Newton's method between bounds, from `start`. Not possible where the
+/// threads cannot overcome the carrier's torque.
+SpinRoot spin_root_from(const SlipModel& model, double slip_ratio, double start, bool& possible) {
   constexpr int kMostSteps = 100;
-  constexpr double kFirstStep = 1e-2, kSpinTolerance = 1e-13, kGreatestSpin = 1e3;
-  double low = -std::numeric_limits<double>::infinity(), high = -low, longest = kFirstStep, before = 0.0;
+  constexpr double kFirstStep = 1e-2, kSpinTolerance = 1e-13;
+  double low = -std::numeric_limits<double>::infinity(), high = -low, longest = kFirstStep;
+  double before = 0.0;  // Length of the last step if it was one of Newton's method.
   SpinRoot root{start};
   for (int k = 0; k < kMostSteps; ++k) {
     const RollerMomentsOf<Dual<double>> moments =
@@ -147,11 +149,11 @@ SpinRoot spin_root(const SlipModel& model, double slip_ratio, double start, bool
     if (!possible || std::abs(moment.value) <= 1e-16) break;
     (moment.value > 0.0 ? high : low) = root.spin;
     const double newton = root.spin - moment.value / moment.slope, step = std::abs(newton - root.spin);
-    // The next step would be shorter at least by as much as this one is shorter than the last.
+    // Where Newton's method converges, the ratio of its steps falls: the next one is at most step^2/before.
     const bool last = step <= kSpinTolerance || (step < before && step * step <= kSpinTolerance * before);
-    const bool bounded = std::isfinite(high - low);
+    const bool bounded = std::isfinite(high - low), shrinks = before == 0.0 || step <= 0.5 * before;
     before = 0.0;
-    if (last || (newton > low && newton < high && bounded)) {
+    if (last || (newton > low && newton < high && bounded && shrinks)) {
       root.spin = newton;
       before = step;
     } else if (bounded) {
@@ -167,7 +169,20 @@ SpinRoot spin_root(const SlipModel& model, double slip_ratio, double start, bool
   return root;
 }
 
-/// R_z with its slope along the slip ratio; none if a contact jams. `spin`: that of a balance nearby, then of this one.
+/// Spin of the roller: with teeth 0, else the root of `toothless_moment`. The force that then lacks along the orbit is
+/// what teeth would give, so that the residue of the moments vanishes with it. `start`: a spin that may be close.
+SpinRoot spin_root(const SlipModel& model, double slip_ratio, double start, bool& possible) {
+  if (!contact::is_grooved(model.geometry.type)) return {};
+  if (start != 0.0 && std::abs(start) < kGreatestSpin) {
+    bool found = possible;
+    const SpinRoot root = spin_root_from(model, slip_ratio, start, found);
+    if (found) return root;
+  }
+  return spin_root_from(model, slip_ratio, 0.0, possible);
+}
+
+/// R_z with its slope along the slip ratio; none if a contact jams. The search of the spin starts from `spin`, a
+/// balance nearby, which then becomes that of this balance.
 std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio, RollerSpin& spin) {
   bool possible = true;
   const SpinRoot root = spin_root(model, slip_ratio, spin.at(slip_ratio).spin, possible);

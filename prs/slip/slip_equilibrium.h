@@ -84,7 +84,7 @@ struct PatchBalance {
 struct RollerSpin {
   double slip_ratio = 0.0;
   double spin = 0.0;
-  double slope = 0.0;  ///< Slope along the slip ratio.
+  double slope = 0.0;  ///< Estimate of its slope along the slip ratio.
 
   /// The spin to expect at another slip ratio.
   RollerSpin at(double other) const { return {other, spin + slope * (other - slip_ratio), slope}; }
@@ -106,7 +106,8 @@ struct SlipBalance : RollerBalance {
 /// (3.26), forces along the orbit the gears (3.28), radial ones the carrier's reaction (3.32). The arms of the gears
 /// are their operating pitch radii, c Gamma/(1 -+ Gamma) of the roller, so that forces and ratio are consistent for any
 /// backlash. A roller without teeth spins as its own moments balance; its residue is the moment that teeth would have
-/// to give for the forces along the orbit to balance. `balance` is overwritten in place. Returns false if friction
+/// to give for the forces along the orbit to balance. `balance` is overwritten in place; the search of the spin starts
+/// from the one that it has. Returns false if friction
 /// exceeds a contact's capacity, so that no normal load exists, or if numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 

@@ -203,7 +203,8 @@ Warning no_slip(bool jammed, const std::string& where) {
                 ": a contact jams: its friction takes more of the axial load than its normal "
                 "load gives; expect the screw to stick"};
   return {"carrier", "no_slip_ratio", where + ": no slip ratio balances the moment on a roller",
-          "check the carrier's torques, which threads without load, as of an open nut, cannot overcome"};
+          "check friction and the carrier's torques: threads without load, as of an open nut, or with little "
+          "friction cannot overcome them"};
 }
 
 std::string_view lubrication(double film_ratio) {
@@ -219,11 +220,9 @@ std::optional<Warning> unknown_film_ratio(const Conditions& c) {
 }
 
 std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static) {
-  constexpr double kMuch = 0.2;
-  const auto change = [&](Interface i) { return over_static[i].largest - 1.0; };
-  const Interface i =
-      std::abs(change(Interface::nut)) > std::abs(change(Interface::screw)) ? Interface::nut : Interface::screw;
-  if (std::abs(change(i)) <= kMuch) return std::nullopt;
+  const Interface i = is_worse(over_static.nut, over_static.screw) ? Interface::nut : Interface::screw;
+  const double change = over_static[i].largest - 1.0;
+  if (std::abs(change) <= kMuchOverStatic) return std::nullopt;
   constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
   const Guidance& guidance = c.structure->roller.guidance;
   const std::string_view kind = item_at(kGuidance, guidance.kind);
@@ -232,14 +231,14 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
   return Warning{
       "structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
       fmt::format(
-          "friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} %{}, N = F/(cos psi - mu sin "
-          "psi), whatever guides the rollers; the rest because friction presses them against their guides, {} "
-          "{}; other guides give another rest",
-          name(i), change(i) * "%"_per_si, (all - 1.0) * "%"_per_si,
+          "friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} % the mean of all{}, whatever "
+          "guides the rollers; the rest because friction presses them against their guides, {} {}; other guides give "
+          "another rest",
+          name(i), change * "%"_per_si, (all - 1.0) * "%"_per_si,
           taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * "%"_per_si) : "", kind,
           loose ? fmt::format("with a clearance of {{{:g} um}}", guidance.clearance * "µm"_per_si)
                 : "taken without play")}
-      .with(std::abs(change(i)), kMuch, "%"_unit)
+      .with(std::abs(change), kMuchOverStatic, "%"_unit)
       .as_assumption();
 }
 

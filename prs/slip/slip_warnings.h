@@ -18,11 +18,20 @@ Warning no_slip(bool jammed, const std::string& where);
 /// A warning where the film of a lubricant cannot be compared with the roughness of the flanks.
 std::optional<Warning> unknown_film_ratio(const Conditions& c);
 
-/// Normal loads of a running screw over those at rest: of the largest, and of all threads, which grow by
-/// N = F/(cos psi - mu sin psi) whatever the guides do.
+/// Normal loads of a running screw over those at rest: of the largest, and of all threads, which change whatever the
+/// guides do.
 struct OverStatic {
   double largest = 1.0, all = 1.0;
 };
+
+/// Change of the largest load that is worth a warning.
+inline constexpr double kMuchOverStatic = 0.2;
+
+/// Whether friction does more in one place than in another one: a much larger load before any smaller one.
+inline bool is_worse(const OverStatic& a, const OverStatic& b) {
+  if (std::max(a.largest, b.largest) > 1.0 + kMuchOverStatic) return a.largest > b.largest;
+  return std::abs(a.largest - 1.0) > std::abs(b.largest - 1.0);
+}
 
 /// A warning where friction changes the largest load of screw or nut by more than a fifth: by how much, and
 /// for which guidance.

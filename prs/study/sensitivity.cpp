@@ -137,7 +137,8 @@ std::vector<std::optional<LinearFit>> LinearRegression::fits() const {
     const auto y = r.col(coefficients + j);
     const double sum_of_squares = y.tail(y.size() - 1).squaredNorm();
     const double residual = y.tail(responses_).squaredNorm();
-    if (std::sqrt(sum_of_squares / rows) <= kConstant * largest_(j)) continue;
+    const bool overflows = !std::isfinite(sum_of_squares) || !b.col(j).allFinite();
+    if (overflows || std::sqrt(sum_of_squares / rows) <= kConstant * largest_(j)) continue;
     LinearFit fit;
     fit.intercept = first_(j) + b(0, j);
     fit.r_squared = 1.0 - residual / sum_of_squares;

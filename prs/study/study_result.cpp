@@ -129,7 +129,7 @@ std::vector<std::optional<double>> numbers(const RowBlock& block, std::size_t ro
   std::vector<std::optional<double>> numbers(responses);
   for (const auto j : up_to(responses)) {
     const double value = block.responses[row * responses + j];
-    if (!std::isnan(value)) numbers[j] = value;
+    if (std::isfinite(value)) numbers[j] = value;
   }
   return numbers;
 }

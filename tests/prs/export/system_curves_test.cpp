@@ -255,7 +255,7 @@ TEST(SystemCurves, SpeedWithoutEquilibriumIsAnErrorThatSaysHowSlipEnded) {
     system_curves(c, {.force = 20e3, .speed = 1e8});
     FAIL();
   } catch (const CaseError& e) {
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("slip ends as iteration_limit"));
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("running loads end as iteration_limit"));
     EXPECT_THAT(e.what(), ::testing::HasSubstr("rpm"));
   }
 }

@@ -424,6 +424,9 @@ TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
     return error_of(kAbevi, more, Command::slip);
   };
   EXPECT_EQ(message({"operation.speed=400 rpm"}), "");
+  EXPECT_EQ(message({"operation.speed=1e-5 rpm"}), "");
+  EXPECT_THAT(message({"operation.speed=-1e-8 rpm"}),
+              HasSubstr("operation.speed: got -1e-08 rpm in case `pull`; expected 0 for a screw that stands still"));
   EXPECT_EQ(message({"operation.speed=0 rpm"}), "");  // held by static friction, which films do not have
   EXPECT_THAT(message({"operation.speed=0 rpm", "friction={model: jacod}",
                        "lubricant={name: iso-vg-100, "

@@ -241,6 +241,20 @@ TEST(BearingLife, WaysWithoutForceTurnUnderThePreload) {
   EXPECT_NEAR(*loaded.bearing_life() / *loaded.bearing->life, 1.0, 1e-12);
 }
 
+TEST(AnalyzeLife, TravelAndPeriodHoldTheMotionUnderLoad) {
+  const auto life = [](const std::string& more, const std::string& speed = "100 rpm") {
+    return analyze_life(life_case(spectrum("{force: 10 kN, direction: tension, revolutions: 100}", more),
+                                  {"operation.speed=" + speed}));
+  };
+  const auto is_short = [](const LifeResult& r) {
+    return std::ranges::count(r.warnings, "short_period", &Warning::code) == 1;
+  };
+  EXPECT_FALSE(is_short(life(", travel: 500 mm, period: 60 s")));
+  EXPECT_TRUE(is_short(life(", travel: 500 mm, period: 59 s")));
+  EXPECT_FALSE(is_short(life(", travel: 500 mm, period: 59 s", "110 rpm")));
+  EXPECT_THROW(life(", travel: 499 mm"), input::InputError);
+}
+
 TEST(AnalyzeLife, HoursFollowTheMissionOrTheSpeed) {
   const std::string loads =
       "{force: 10 kN, direction: tension, duration: 2 h},"

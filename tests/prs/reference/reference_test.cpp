@@ -253,8 +253,10 @@ TEST(ReferencesOfAnyCommand, AreTheirNumbers) {
 }
 
 TEST_F(AgainstReferences, WhatTheCaseDoesNotGiveIsSaid) {
-  EXPECT_THAT(refusal("life.system.l10_revolutions\n1e6\n"),
-              HasSubstr("references[0].file: got life.system.l10_revolutions of a case that `prs life` cannot run"));
+  EXPECT_THAT(
+      refusal("life.system.l10_revolutions\n1e6\n"),
+      HasSubstr("x.csv:1:1: error: heading: got life.system.l10_revolutions; expected the response of a command "
+                "that the case is ready for; `prs life` is not: life: missing"));
   EXPECT_THAT(refusal("load_case,contact.nut.backlash_mm\n" + name() + ",0.1\n"),
               HasSubstr("x.csv:1:1: error: heading: got load_case; expected none, since contact.nut.backlash_mm is a "
                         "response of the whole case"));
@@ -295,7 +297,9 @@ TEST_F(AgainstReferences, WhatIsWrongIsNamedWhereItStands) {
               HasSubstr("x.csv:1:18: error: heading: got screw.load_rate_kN"));
   EXPECT_THAT(refusal(head + "nowhere,1,5\n"),
               HasSubstr("x.csv:2:1: error: load_case: got nowhere; expected a load case that is solved"));
-  EXPECT_THAT(refusal(""), HasSubstr("x.csv, which has no heading"));
+  EXPECT_THAT(refusal(""), AllOf(HasSubstr("x.csv:1:1: error: got "), HasSubstr("x.csv, which has no heading")));
+  EXPECT_THAT(refusal("load_case,thread,force_kN,screw.load_rate_percent\n" + name() + ",1,2,5\n"),
+              HasSubstr("x.csv:1:18: error: heading: got force_kN; expected `thread` or a force, not both"));
   EXPECT_THAT(refusal(head), HasSubstr("x.csv, which has no rows"));
   EXPECT_THAT(refusal("thread,screw.load_rate_percent\n1,5\n"), HasSubstr("which names no load case"));
   EXPECT_THAT(refusal("load_case,thread\n" + name() + ",1\n"), HasSubstr("no column with the name of a response"));

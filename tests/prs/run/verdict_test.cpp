@@ -421,6 +421,26 @@ TEST(Verdict, SaysWhereThreadLoadsAreNotSolved) {
   EXPECT_THAT(influence["reason"].get<std::string>(), HasSubstr("influence"));
 }
 
+/// Matrices take long: what was not run is never green, a reference's tolerance included.
+TEST(Verdict, WhatWasSkippedIsNotGreen) {
+  const Json free = verdict(kAbevi, {"model.bodies=influence"});
+  EXPECT_NE(free["state"], "green");
+  EXPECT_THAT(free["skipped"], testing::Contains("solve"));
+  EXPECT_TRUE(criterion(free, "references").is_null());
+  const Json judged = verdict("38_reference.yaml", {"model.bodies=influence"});
+  const Json references = criterion(judged, "references");
+  EXPECT_EQ(references["state"], "not_computed");
+  EXPECT_EQ(references["limit"], 1.0);
+  EXPECT_FALSE(verdict("38_reference.yaml").contains("skipped"));
+}
+
+TEST(Verdict, TheStrokeOfAnInvertedScrewIsOverTheRollersThreads) {
+  const Json c = criterion(verdict("14_flight_spectrum.yaml", {"life.stroke=900 mm"}), "stroke");
+  EXPECT_EQ(c["title"], "Stroke over rollers' threads");
+  EXPECT_NEAR(c["value"], 900.0 / (20 * 5.0 / 3.0), 1e-9);
+  EXPECT_EQ(criterion(verdict(kMeasured), "stroke")["title"], "Stroke over the nut's length");
+}
+
 /// Between the physical and the recommended limit.
 TEST(Verdict, EachLoadIsThatAtRestOrRunning) {
   const Json v = verdict("31_running_screw.yaml");

@@ -131,6 +131,36 @@ TEST(SizeMotion, ABrakeWithNothingToHoldIsAWarning) {
   EXPECT_THAT(warnings(", {duration: 1 s, end_speed: 0 m/s, force: 1 kN}"), testing::IsEmpty());
 }
 
+TEST(SizeMotion, APeakBetweenSamplesIsAWarning) {
+  const auto warned = [](double peak) {
+    input::Source source = input::source_of_text(
+        "press.yaml",
+        of_one("motion: {history: {file: m.csv, time: {column: t, unit: s}, speed: {column: v, unit: mm/s}, "
+               "force: {column: F, unit: kN}}}\n"),
+        {});
+    source.files.emplace()["m.csv"] = fmt::format("t,v,F\n0,0,1\n1,50,1\n2,0,{}\n3,-50,1\n4,0,1\n", peak);
+    return read_requirement(source).warnings;
+  };
+  ASSERT_EQ(warned(90.0).size(), 1U);
+  EXPECT_EQ(warned(90.0).front().code, "peaks_between_samples");
+  EXPECT_DOUBLE_EQ(*warned(90.0).front().value, 90e3);
+  EXPECT_DOUBLE_EQ(*warned(90.0).front().limit, 45.5e3);
+  EXPECT_THAT(warned(1.05), testing::IsEmpty());
+}
+
+TEST(SizeMotion, AnAxisAtRestIsAWarning) {
+  const auto of = [](const char* speed) {
+    return read(of_one(fmt::format("motion: {{segments: [{{duration: 1 s, end_speed: {0} mm/s, force: 1 kN}}, "
+                                   "{{duration: 1 s, end_speed: 0 mm/s}}, {{duration: 1 s, end_speed: -{0} mm/s}}, "
+                                   "{{duration: 1 s, end_speed: 0 mm/s}}]}}\n",
+                                   speed)))
+        .warnings;
+  };
+  ASSERT_EQ(of("0").size(), 1U);
+  EXPECT_EQ(of("0").front().code, "at_rest");
+  EXPECT_THAT(of("1"), testing::IsEmpty());
+}
+
 TEST(SizeMotion, RelubricationIsThatOfTheMakersExample) {
   const SizeResult r =
       sized(of_one("motion: {segments: [{duration: 1 s, end_speed: 1.66 in/s, force: 400 lbf}], start_speed: "

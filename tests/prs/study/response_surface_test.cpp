@@ -81,6 +81,18 @@ TEST(LinearRegression, FitWithoutRowsLeftOverHasNoErrors) {
   EXPECT_FALSE(fit.adjusted_r_squared);
 }
 
+TEST(LinearRegression, ResponseWhoseSquaresOverflowHasNoFit) {
+  LinearRegression regression(1, 2);
+  for (const double x : {0.0, 0.5, 1.0}) {
+    const std::array row{x};
+    const std::array y{1e300 * x, x};
+    regression.add(row, y);
+  }
+  const auto fits = regression.fits();
+  EXPECT_FALSE(fits[0]);
+  EXPECT_TRUE(fits[1]);
+}
+
 TEST(LinearRegression, ResponseThatDoesNotVaryHasNoFit) {
   std::mt19937_64 random(2);
   LinearRegression regression(1, 3);
