@@ -149,7 +149,7 @@ SpinRoot spin_root_from(const SlipModel& model, double slip_ratio, double start,
     if (!possible || std::abs(moment.value) <= 1e-16) break;
     (moment.value > 0.0 ? high : low) = root.spin;
     const double newton = root.spin - moment.value / moment.slope, step = std::abs(newton - root.spin);
-    // Where Newton's method converges, the ratio of its steps falls: the next one is at most step^2/before.
+    // The next step of a converging Newton's method is at most step^2/before.
     const bool last = step <= kSpinTolerance || (step < before && step * step <= kSpinTolerance * before);
     const bool bounded = std::isfinite(high - low), shrinks = before == 0.0 || step <= 0.5 * before;
     before = 0.0;

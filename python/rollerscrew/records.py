@@ -199,6 +199,7 @@ class Verdict(Record):
     state: the worst: green | amber | red | no_limit
     criteria: each with its worst value
     not_built: commands that the case is ready for and this program leaves out; scripts/install.sh builds all
+    skipped: commands that the case is ready for and that were not run, as they take long; `prs report` runs them
     failed: commands that the case is ready for and that found something wrong with it
     """
 
@@ -206,6 +207,7 @@ class Verdict(Record):
     state: str
     criteria: list[Criterion]
     not_built: list[str] | None
+    skipped: list[str] | None
     failed: list[str] | None
 
 
