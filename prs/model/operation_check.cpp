@@ -74,14 +74,14 @@ std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint>
 void check_speed(const Conditions& c, const LoadCase& load, bool may_rest, Problems& problems) {
   constexpr double kLeast = 1e-5 * (std::numbers::pi / 30.0);  // Below, sliding is too slow to have a direction.
   const double speed = screw_speed(c, load);
+  if (std::abs(speed) >= kLeast) return;
   const std::string path = load.speed ? load.input_path + ".speed" : "operation.speed";
-  if (speed != 0.0 && std::abs(speed) < kLeast)
+  if (speed != 0.0)
     problems.add(path,
                  fmt::format("got {} in case `{}`; expected 0 for a screw that stands still, or at least {}; take "
                              "one of them",
                              rpm(speed), load.name, rpm(kLeast)));
-  if (speed != 0.0) return;
-  if (may_rest && c.heat)
+  else if (may_rest && c.heat)
     problems.add(path,
                  "got {} in case `{}` together with `heat`; expected a speed other than 0: a screw at rest makes no "
                  "heat; write the pause as `rest` in `heat.duty`",

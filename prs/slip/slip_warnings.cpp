@@ -231,7 +231,7 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
   return Warning{
       "structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
       fmt::format(
-          "friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} % the mean of all{}, whatever "
+          "friction moves the largest load of a {} thread by {:+.1f} %: the mean of all by {:+.1f} %{}, whatever "
           "guides the rollers; the rest because friction presses them against their guides, {} {}; other guides give "
           "another rest",
           name(i), change * "%"_per_si, (all - 1.0) * "%"_per_si,
