@@ -65,7 +65,10 @@ auto beside_interpreter(Work work, const nanobind::object& show) {
   };
   const auto shown = [&] {
     if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
-    if (supervision.stopped()) throw std::runtime_error("stopped, for the interpreter ends");
+    if (supervision.stopped()) {  // The interpreter ends, and no thread may write to its streams any more.
+      PyErr_SetNone(PyExc_SystemExit);
+      throw nanobind::python_error();
+    }
     const StudyProgress progress = supervision.progress();
     if (!show.is_none() && progress.total > 0) show(progress.done, progress.total);
   };

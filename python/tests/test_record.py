@@ -27,6 +27,7 @@ NEVER_MET = {
     ("Life", "status"),
     ("Verdict", "not_built"),  # Of the light program.
     ("Verdict", "failed"),  # Of an input that a command refuses.
+    ("Verdict", "skipped"),  # Of bodies that take long.
     ("WeakestThread", "roller"),
     ("Model", "accuracy"),
     ("ComputedThere", "influence"),  # Of a model that is asked for.
